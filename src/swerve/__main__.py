@@ -1,0 +1,7 @@
+"""`python -m swerve`: the command line."""
+
+import sys
+
+from swerve.cli import main
+
+sys.exit(main())

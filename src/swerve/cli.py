@@ -1,0 +1,227 @@
+"""The command line: parse, call, print. What it prints and its exit statuses are what scripts hold on to.
+
+    0  done, whatever the run's outcome        2    wrong input: one message on stderr, nothing written
+    1  --require was not met                   130  interrupted
+
+Everything heavy is imported by the command that needs it, so that --help answers at once.
+"""
+
+import argparse
+import json
+import os
+import sys
+import time
+from collections.abc import Iterable, Mapping, Sequence
+from math import degrees
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Final, NoReturn, Self, TextIO
+
+from swerve import __version__
+from swerve.errors import InputError, SwerveError, unknown
+
+INTERRUPTED: Final = 130  # 128 + SIGINT, as shells have it
+BROKEN_PIPE: Final = 141  # 128 + SIGPIPE
+PATIENCE: Final = 1.0  # time before progress is shown [s]
+LINE_EVERY: Final = 5.0  # time between lines of progress where stderr is no terminal [s]
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line `argv`, that of the process by default, and return the exit status."""
+    try:
+        status = _command(argv)
+        sys.stdout.flush()
+        return status
+    except SwerveError as error:
+        print(f"swerve: error: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("swerve: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except OSError as error:  # of the output: a reader that has seen enough, a full disk
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python's flush at exit would fail again
+        if isinstance(error, BrokenPipeError):
+            return BROKEN_PIPE
+        print(f"swerve: error: cannot write: {error}", file=sys.stderr)
+        return 2
+
+
+class Progress:
+    """The share of the work that is done, on stderr, once it has taken longer than a second.
+
+    On a terminal it is one line that renews itself and goes away; anywhere else it is now and then a plain line.
+    """
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+        self._next = time.monotonic() + PATIENCE
+        self._is_shown = False
+
+    def __call__(self, share: float) -> None:
+        """Tell that `share`, from 0 to 1, is done."""
+        now = time.monotonic()
+        if now < self._next:
+            return
+        if self._stream.isatty():
+            self._stream.write(f"\rswerve: {share:4.0%}")
+            self._is_shown, self._next = True, now + 0.1
+        else:
+            self._stream.write(f"swerve: {share:.0%} done\n")
+            self._next = now + LINE_EVERY
+        self._stream.flush()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._is_shown:
+            self._stream.write("\r" + " " * len("swerve: 100%") + "\r")
+            self._stream.flush()
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        raise InputError(f"{message} (see {self.prog} --help)")
+
+
+def _command(argv: Sequence[str] | None) -> int:
+    try:
+        options = _parser().parse_args(argv)
+    except SystemExit:  # --help and --version have printed what they are for
+        return 0
+    status: int = options.call(options)
+    return status
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(
+        prog="swerve", description="Emergency manoeuvres: decided, driven and measured.", allow_abbrev=False
+    )
+    parser.add_argument("--version", action="version", version=f"swerve {__version__}")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+
+    run = commands.add_parser("run", help="run one scenario", allow_abbrev=False)
+    run.set_defaults(call=_run)
+    run.add_argument(
+        "scenario", nargs="?", default="paper", metavar="SCENARIO", help="library name or TOML file [paper]"
+    )
+    run.add_argument("--controller", help="who drives [unified]")
+    run.add_argument("--plant", help="what is driven [planar]")
+    run.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="KEY=VALUE",
+        help='replace a value, as in --set "ego.speed=90 km/h"',
+    )
+    run.add_argument("--seed", type=_seed, default=0, help="of all that is random [0]")
+    run.add_argument("--out", type=Path, metavar="DIR", help="write result, log, scenario and figures there")
+    run.add_argument("--json", action="store_true", help="print the result as one JSON object")
+    run.add_argument("--require", metavar="OUTCOME", help="exit with status 1 at any other outcome")
+
+    scenarios = commands.add_parser("scenarios", help="list the library of scenarios", allow_abbrev=False)
+    scenarios.set_defaults(call=_scenarios)
+    scenarios.add_argument("--json", action="store_true", help="print the list as JSON")
+
+    reproduce = commands.add_parser("reproduce", help="make the paper's tables and figures", allow_abbrev=False)
+    reproduce.set_defaults(call=_reproduce)
+    reproduce.add_argument(
+        "--out", type=Path, default=Path("swerve-reproduction"), metavar="DIR", help="where to [swerve-reproduction]"
+    )
+    return parser
+
+
+def _seed(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and len(text) <= 18):
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} is no seed; write a whole number from 0, of at most 18 digits")
+    return int(text)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from swerve.scenario import load
+
+    scenario = load(options.scenario, options.set)
+    from swerve.simulate import CONTROLLERS, DEFAULT_CONTROLLER, DEFAULT_PLANT, PLANTS, Outcome, run
+
+    controller = _checked("controller", options.controller, CONTROLLERS) or DEFAULT_CONTROLLER
+    plant = _checked("plant", options.plant, PLANTS) or DEFAULT_PLANT
+    required = _checked("outcome", options.require, [outcome.value for outcome in Outcome], option="require")
+    if options.out is not None:
+        from swerve.report import prepare_output, write_run
+
+        prepare_output(options.out)
+    with Progress(sys.stderr) as progress:
+        done = run(scenario, controller, plant, options.seed, progress)
+    result = done.result.to_json()
+    paths = write_run(done, options.out) if options.out is not None else []
+    print(json.dumps(result, allow_nan=False) if options.json else _table(result, done.result.outcome.sentence))
+    _print_paths(paths, sys.stderr if options.json else sys.stdout)
+    if required in (None, result["outcome"]):
+        return 0
+    print(f"swerve: the outcome is {result['outcome']}, required was {required}", file=sys.stderr)
+    return 1
+
+
+def _scenarios(options: argparse.Namespace) -> int:
+    from swerve.scenario import library_names, load
+
+    library = [load(name) for name in library_names()]
+    if options.json:
+        print(json.dumps([each.model_dump(include={"name", "description", "source"}) for each in library]))
+        return 0
+    width = max(len(each.name) for each in library)
+    for each in library:
+        print(f"{each.name:{width}}  {each.description}")
+    return 0
+
+
+def _reproduce(options: argparse.Namespace) -> int:
+    from swerve.report import prepare_output
+    from swerve.study.reproduce import reproduce
+
+    prepare_output(options.out)
+    with Progress(sys.stderr) as progress:
+        reproduction = reproduce(options.out, progress)
+    print(reproduction.table_text())
+    _print_paths(reproduction.paths, sys.stdout)
+    return 0
+
+
+def _checked(kind: str, name: str | None, known: Iterable[str], option: str | None = None) -> str | None:
+    """A name that is known, or None where none was given; the option is called as the kind is, unless said."""
+    if name is not None and name not in known:
+        raise InputError(f"--{option or kind}: {unknown(kind, name, known)}")
+    return name
+
+
+def _print_paths(paths: Iterable[Path], stream: TextIO) -> None:
+    for path in paths:
+        print(f"wrote {path}", file=stream)
+
+
+def _table(result: Mapping[str, Any], sentence: str) -> str:
+    """The result of a run, for people: a row each for what was decided, how near it came and what it took."""
+    offset, speed, step_time = result["lateral_offset"], result["speed"], result["step_time"]
+    rows = {
+        "scenario": f"{result['scenario']}, {result['controller']} on {result['plant']}, seed {result['seed']}",
+        "outcome": f"{result['outcome']}: {sentence}",
+        "decision": result["decision"],
+        "distance ratio": f"{_number(result['min_distance_ratio'], digits=3)} at the least (1 is contact)",
+        "clearance": f"{_number(result['min_clearance'], 'm', digits=3)} at the least",
+        "lateral offset": f"{_range(offset, 'm')}, {_number(offset['final'], 'm')} at the end",
+        "speed": f"{_range(speed, 'm/s')} ({_range(speed, 'km/h', 3.6)})",
+        "sideslip": f"{_number(result['max_sideslip'], 'deg', degrees(1))} at the most",
+        "steps": f"{result['steps']}: {result['fallback_steps']} fallback, {result['solver_failures']} solver failures",
+        "step time": f"{_number(step_time['median'], 'ms', 1e3)} median, {_number(step_time['p99'], 'ms', 1e3)} p99",
+    }
+    return "\n".join(f"{name:<16}{text}" for name, text in rows.items())
+
+
+def _number(value: float | None, unit: str = "", factor: float = 1.0, digits: int = 2) -> str:
+    return "none" if value is None else f"{value * factor:.{digits}f} {unit}".strip()
+
+
+def _range(values: Mapping[str, float | None], unit: str, factor: float = 1.0) -> str:
+    return f"{_number(values['min'], factor=factor)} to {_number(values['max'], unit, factor)}"

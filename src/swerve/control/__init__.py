@@ -1,0 +1,7 @@
+"""From a measurement and a memory to a command: one folder a controller, one protocol for all."""
+
+from swerve.control.plan import Branch, Fallback, Plan, Side
+from swerve.control.protocol import Controller
+from swerve.control.settings import Goal, Horizon, Weights
+
+__all__ = ["Branch", "Controller", "Fallback", "Goal", "Horizon", "Plan", "Side", "Weights"]

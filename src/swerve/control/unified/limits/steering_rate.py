@@ -1,0 +1,33 @@
+"""The steering angle changes no faster than the actuator can: | delta(k+j) - delta(k+j-1) | <= rate Ts."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from swerve.control.unified.condensing import INPUT_SCALE, Blocking, Sensitivities
+from swerve.control.unified.limits.limit import Rows
+from swerve.control.unified.prediction import Trajectory
+from swerve.conventions import DELTA, N_INPUTS
+
+
+@dataclass(frozen=True)
+class SteeringRateLimit:
+    """The limit for one actuator.
+
+    Attributes:
+        largest_change: rate limit times sample time [rad].
+        previous: steering angle that acts now [rad].
+        blocking: of the free inputs.
+    """
+
+    largest_change: float
+    previous: float
+    blocking: Blocking
+
+    def rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
+        """One row a free input, in units of the scaled steering angle."""
+        steering = self.blocking.free(trajectory.inputs)[:, DELTA]
+        change = np.diff(steering, prepend=self.previous) / INPUT_SCALE[DELTA]
+        matrix = (np.eye(self.blocking.n) - np.eye(self.blocking.n, k=-N_INPUTS))[DELTA::N_INPUTS]
+        limit = self.largest_change / INPUT_SCALE[DELTA]
+        return Rows(matrix, -limit - change, limit - change)

@@ -1,0 +1,57 @@
+"""A CasADi function as a callable on numpy arrays, through buffers that are bound once.
+
+Binding arguments at every call costs about 100 us, more than most kernels take to run; bound buffers leave the copy
+of a few numbers in and out.
+"""
+
+import casadi as ca
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swerve.kernel.library import compiled
+
+
+class Kernel:
+    """Evaluates `function`; compiled to C when a compiler is there, with the same result, bit for bit, when not.
+
+    Not for use by two threads at once: the buffers are the kernel's own. Results are copies.
+    """
+
+    def __init__(self, function: ca.Function) -> None:
+        """Compile (or take from the cache) and bind buffers.
+
+        Args:
+            function: CasADi function with dense inputs; sparse outputs are made dense.
+        """
+        function = _with_dense_outputs(function)
+        library = compiled(function)
+        self.is_compiled = library is not None
+        self._function = function if library is None else ca.external(function.name(), str(library))
+        self._buffer, self._evaluate = self._function.buffer()
+        self._inputs = [_dense(self._function.size_in(i)) for i in range(self._function.n_in())]
+        self._outputs = [_dense(self._function.size_out(i)) for i in range(self._function.n_out())]
+        for i, array in enumerate(self._inputs):
+            self._buffer.set_arg(i, memoryview(array.reshape(-1, order="A")))
+        for i, array in enumerate(self._outputs):
+            self._buffer.set_res(i, memoryview(array.reshape(-1, order="A")))
+
+    def __call__(self, *arguments: ArrayLike) -> tuple[NDArray[np.float64], ...]:
+        """Outputs for these inputs, each of the function's own shape; a column vector is (n,)."""
+        for buffer, argument in zip(self._inputs, arguments, strict=True):
+            buffer[...] = argument
+        self._evaluate()
+        return tuple(output.copy(order="K") for output in self._outputs)
+
+
+def _dense(shape: tuple[int, int]) -> NDArray[np.float64]:
+    """A buffer in CasADi's column-major order; (n, 1) becomes (n,)."""
+    return np.zeros(shape[0]) if shape[1] == 1 else np.zeros(shape, order="F")
+
+
+def _with_dense_outputs(function: ca.Function) -> ca.Function:
+    """The same function; buffers hold only the non-zeros of a sparse output, whose place would then be lost."""
+    if all(function.sparsity_out(i).is_dense() for i in range(function.n_out())):
+        return function
+    symbols = [ca.MX.sym(function.name_in(i), *function.size_in(i)) for i in range(function.n_in())]
+    outputs = function.call(symbols)
+    return ca.Function(function.name(), symbols, [ca.densify(output) for output in outputs])

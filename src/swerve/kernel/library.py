@@ -1,0 +1,73 @@
+"""From a CasADi function to a shared library in the user's cache.
+
+The file's name is the hash of all that decides its content: the C code, the flags, the compiler and the processor. It
+is written under a temporary name and renamed, so that a reader sees all of it or nothing; a lock keeps many processes
+that start at once from compiling the same code.
+"""
+
+import hashlib
+import logging
+import os
+import shutil
+import subprocess
+import tempfile
+from functools import cache
+from pathlib import Path
+
+import casadi as ca
+from filelock import FileLock
+
+from swerve.kernel.folder import private_folder
+from swerve.kernel.processor import processor_id
+
+# No contraction of a*b + c: the result is that of CasADi's machine, on every processor.
+FLAGS = ("-O3", "-march=native", "-ffp-contract=off", "-fPIC", "-shared")
+OPT_OUT = "none"  # value of the environment variable CC that asks for CasADi's machine
+LOG = logging.getLogger(__name__)
+
+
+def compiled(function: ca.Function) -> Path | None:
+    """The shared library of `function`, or None where it can't be had (no compiler, no private folder)."""
+    compiler = _compiler()
+    folder = private_folder()
+    if compiler is None or folder is None:
+        return None
+    source = _c_source(function)
+    recipe = "\0".join((source, *FLAGS, compiler[1], processor_id()))
+    target = folder / f"{function.name()}-{hashlib.sha256(recipe.encode()).hexdigest()[:24]}.so"
+    if target.exists():
+        return target
+    with FileLock(folder / "compiling.lock"):
+        return target if target.exists() or _compile(compiler[0], source, target) else None
+
+
+@cache
+def _compiler() -> tuple[str, str] | None:
+    """Path and version of the C compiler: $CC, else cc; None if there is none."""
+    name = os.environ.get("CC", "cc")
+    path = None if name == OPT_OUT else shutil.which(name)
+    if path is None:
+        return None
+    version = subprocess.run([path, "--version"], capture_output=True, text=True, check=False)
+    return (path, f"{path} {version.stdout}") if version.returncode == 0 else None
+
+
+def _c_source(function: ca.Function) -> str:
+    generator = ca.CodeGenerator(function.name(), {"with_header": False})
+    generator.add(function)
+    return str(generator.dump())
+
+
+def _compile(compiler: str, source: str, target: Path) -> bool:
+    """Write the library; False, with a warning, when the compiler refuses."""
+    with tempfile.TemporaryDirectory(dir=target.parent) as work:
+        code, library = Path(work, "kernel.c"), Path(work, "kernel.so")
+        code.write_text(source)
+        run = subprocess.run(
+            [compiler, *FLAGS, str(code), "-o", str(library), "-lm"], capture_output=True, text=True, check=False
+        )
+        if run.returncode != 0:
+            LOG.warning("%s could not compile %s; it runs slower, uncompiled: %s", compiler, target.stem, run.stderr[:300])
+            return False
+        library.replace(target)
+    return True

@@ -1,0 +1,91 @@
+"""The values that cross between sensing, control and plant: what was seen, and what is to be done.
+
+Each is frozen; the arrays inside are read-only by agreement.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swerve.conventions import DELTA, FORCES, N_INPUTS
+from swerve.world import Obstacle, Shape
+
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Command:
+    """What the controller asks of the actuators until its next sample.
+
+    Attributes:
+        steering_angle: road-wheel angle delta of the front axle [rad].
+        wheel_forces: (4,) longitudinal tyre forces, order FL FR RL RR [N]; torque is force times rolling radius.
+    """
+
+    steering_angle: float
+    wheel_forces: Array
+
+    @classmethod
+    def from_input(cls, u: Array) -> "Command":
+        """The command in an input vector u = [delta Fx_fl Fx_fr Fx_rl Fx_rr], (5,)."""
+        return cls(float(u[DELTA]), np.array(u[FORCES], dtype=float))
+
+    def as_input(self) -> Array:
+        """The input vector u of eq. (1), (5,) [rad, N, N, N, N]."""
+        u = np.empty(N_INPUTS)
+        u[DELTA] = self.steering_angle
+        u[FORCES] = self.wheel_forces
+        return u
+
+
+@dataclass(frozen=True)
+class Observation:
+    """One obstacle as it was seen; its numbers may be any, nan included.
+
+    Attributes:
+        shape: in its own body frame.
+        position: of its centre in world axes [m].
+        velocity: in world axes [m/s].
+        heading: of its x axis [rad].
+    """
+
+    shape: Shape
+    position: tuple[float, float]
+    velocity: tuple[float, float]
+    heading: float
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether every number in it is finite."""
+        return bool(np.isfinite([*self.position, *self.velocity, self.heading]).all())
+
+    def as_obstacle(self) -> Obstacle:
+        """The obstacle that keeps on as seen; ValueError when a number is not finite."""
+        return Obstacle(self.shape, self.position, self.velocity, self.heading)
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """What the controller knows when it is called.
+
+    Attributes:
+        time: the controller's clock at this call [s].
+        stamp: when the values were taken [s]; `time - stamp` is their age.
+        state: (6,) vehicle state [vx vy r psi X Y].
+        wheel_loads: (4,) vertical tyre loads [N].
+        obstacles: as seen at `stamp`; nothing of their future.
+    """
+
+    time: float
+    stamp: float
+    state: Array
+    wheel_loads: Array
+    obstacles: tuple[Observation, ...]
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether every number in it is finite."""
+        own = np.isfinite(self.state).all() and np.isfinite(self.wheel_loads).all()
+        return bool(own) and all(seen.is_finite for seen in self.obstacles)

@@ -1,0 +1,111 @@
+"""One run: sense, control, move, again. The main idea of swerve is these few lines; the rest are its parts.
+
+Two clocks: the controller's sample time, and the plant's step, of which a sample has a whole number.
+"""
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swerve.control import Controller, Plan
+from swerve.plant import Plant, Trace
+from swerve.scenario import Scenario
+from swerve.sensing import measure
+from swerve.signals import Command, Measurement
+from swerve.simulate.assemble import DEFAULT_CONTROLLER, DEFAULT_PLANT, controller_named, plant_named
+from swerve.simulate.log import Log, motion_table, steps_table
+from swerve.simulate.result import Result, evaluate
+from swerve.world import Obstacle
+
+Sense = Callable[[float, NDArray[np.float64], NDArray[np.float64], Sequence[Obstacle]], Measurement]
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """A run that is over.
+
+    Attributes:
+        scenario: what was run.
+        log: what was recorded.
+        plans: of each controller step.
+        result: the numbers.
+    """
+
+    scenario: Scenario
+    log: Log
+    plans: tuple[Plan, ...]
+    result: Result
+
+
+def run(
+    scenario: Scenario,
+    controller: str = DEFAULT_CONTROLLER,
+    plant: str = DEFAULT_PLANT,
+    seed: int = 0,
+    progress: Callable[[float], None] | None = None,
+    sense: Sense = measure,
+) -> Run:
+    """Run a scenario to its end, or to the sample in which the motion stops being finite.
+
+    Args:
+        scenario: what happens.
+        controller: name of the controller.
+        plant: name of the plant.
+        seed: of all random numbers of the run.
+        progress: called after each sample with the share that is done [1].
+        sense: truth -> measurement.
+
+    Raises:
+        InputError: no such controller or plant.
+    """
+    started = time.perf_counter()
+    built = controller_named(controller, scenario), plant_named(plant, scenario)
+    traces, commands, plans, step_times = _drive(scenario, *built, sense, progress or (lambda share: None))
+    step, sample_time = scenario.plant.step, scenario.controller.sample_time
+    n_rows = sum(len(trace.states) for trace in traces)
+    log = Log(
+        motion_table(np.arange(n_rows) * step, traces),
+        steps_table(np.arange(len(plans)) * sample_time, commands, plans, step_times),
+    )
+    wall_time = time.perf_counter() - started
+    return Run(
+        scenario, log, tuple(plans), evaluate(scenario, controller, plant, seed, log, commands, plans, wall_time)
+    )
+
+
+def _drive(
+    scenario: Scenario, controller: Controller[Any], plant: Plant, sense: Sense, progress: Callable[[float], None]
+) -> tuple[list[Trace], list[Command], list[Plan], list[float]]:
+    """The loop: traces of the plant, and command, plan and time of each controller step."""
+    ego, sample_time = scenario.ego, scenario.controller.sample_time
+    obstacles = [obstacle.to_world() for obstacle in scenario.obstacles]
+    state = plant.start(np.array([ego.speed, 0.0, 0.0, ego.heading, *ego.position]))
+    memory = controller.start()
+    traces: list[Trace] = []
+    commands: list[Command] = []
+    plans: list[Plan] = []
+    step_times: list[float] = []
+    for k in range(scenario.n_samples):
+        measurement = sense(k * sample_time, state.vehicle, state.wheel_loads, obstacles)
+        began = time.perf_counter()
+        command, plan, memory = controller.step(measurement, memory)
+        step_times.append(time.perf_counter() - began)
+        state, trace = plant.advance(state, command)
+        traces.append(trace)
+        commands.append(command)
+        plans.append(plan)
+        progress((k + 1) / scenario.n_samples)
+        if not np.isfinite(state.vehicle).all():
+            break
+    _, last = plant.advance(state, commands[-1])
+    traces.append(_first_row(last))
+    return traces, commands, plans, step_times
+
+
+def _first_row(trace: Trace) -> Trace:
+    """The instant at which a trace begins: here the end of the run."""
+    return Trace(**{name: values[:1] for name, values in vars(trace).items()})

@@ -1,0 +1,168 @@
+"""The numbers of a run, in SI: what `swerve run --json` prints."""
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import swerve
+from swerve.control import Plan
+from swerve.conventions import GRAVITY
+from swerve.scenario import Scenario
+from swerve.signals import Command
+from swerve.simulate.decision import decision
+from swerve.simulate.log import Log
+from swerve.simulate.outcome import Outcome, decide, ratio_to, sideslip, touches
+from swerve.world import clearance
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Range:
+    """Smallest, largest and last value of a column."""
+
+    min: float
+    max: float
+    final: float
+
+    @classmethod
+    def of(cls, values: Array) -> "Range":
+        """The range of values (n,)."""
+        return cls(float(values.min()), float(values.max()), float(values[-1]))
+
+
+@dataclass(frozen=True)
+class StepTime:
+    """How long the controller's step took, over the steps of a run [s]."""
+
+    median: float
+    p99: float
+    max: float
+
+    @classmethod
+    def of(cls, times: Array) -> "StepTime":
+        """Statistics of times (n,) [s]."""
+        return cls(float(np.median(times)), float(np.percentile(times, 99)), float(times.max()))
+
+
+@dataclass(frozen=True)
+class Result:
+    """The verdict and the numbers behind it; each is named and measured as in the JSON of `swerve run`.
+
+    Attributes:
+        scenario: its name.
+        controller: its name.
+        plant: its name.
+        seed: of the run.
+        version: of swerve.
+        outcome: the verdict.
+        min_distance_ratio: smallest sqrt(rho) over all ellipses, 1 is contact; None without ellipses [1].
+        min_clearance: between footprint and obstacles; None without obstacles [m].
+        impact_speed: relative to the obstacle, at first contact; None without contact [m/s].
+        decision: none, brake, steer-left, steer-right, brake+steer-left or brake+steer-right.
+        lateral_offset: Y [m].
+        speed: over ground [m/s].
+        final_yaw_rate: magnitude [rad/s].
+        final_lateral_speed: magnitude of vy [m/s].
+        max_sideslip: magnitude [rad].
+        max_yaw_rate: magnitude [rad/s].
+        max_steer: magnitude of the road-wheel angle [rad].
+        step_time: of the controller alone.
+        steps: of the controller.
+        fallback_steps: steps that were answered by a fallback.
+        solver_failures: quadratic programs without an answer.
+        wall_time: of the whole run [s].
+    """
+
+    scenario: str
+    controller: str
+    plant: str
+    seed: int
+    version: str
+    outcome: Outcome
+    min_distance_ratio: float | None
+    min_clearance: float | None
+    impact_speed: float | None
+    decision: str
+    lateral_offset: Range
+    speed: Range
+    final_yaw_rate: float
+    final_lateral_speed: float
+    max_sideslip: float
+    max_yaw_rate: float
+    max_steer: float
+    step_time: StepTime
+    steps: int
+    fallback_steps: int
+    solver_failures: int
+    wall_time: float
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values, ready for `json.dumps`; a number that is not finite becomes None."""
+        return {key: _plain(value) for key, value in asdict(self).items()}
+
+
+def evaluate(
+    scenario: Scenario,
+    controller: str,
+    plant: str,
+    seed: int,
+    log: Log,
+    commands: list[Command],
+    plans: list[Plan],
+    wall_time: float,
+) -> Result:
+    """Measure a run that is over."""
+    motion, times = log.motion, log.motion["time"]
+    states, poses = motion.stack("vx", "vy", "r", "psi", "X", "Y"), motion.stack("X", "Y", "psi")
+    footprint, vehicle = scenario.ego.to_footprint(), scenario.ego.to_vehicle()
+    obstacles = [obstacle.to_world() for obstacle in scenario.obstacles]
+    contact = np.array([touches(each, footprint, poses, times) for each in obstacles]).reshape(-1, len(times))
+    ratios = [ratio_to(each, footprint, poses, times) for each in obstacles]
+    gaps = [clearance(footprint, poses, each, times) for each in obstacles]
+    speed = np.hypot(motion["vx"], motion["vy"])
+    return Result(
+        scenario=scenario.name,
+        controller=controller,
+        plant=plant,
+        seed=seed,
+        version=swerve.__version__,
+        outcome=decide(states, contact.any(axis=0), poses, scenario.road.to_world(), footprint),
+        min_distance_ratio=min((float(ratio.min()) for ratio in ratios if ratio is not None), default=None),
+        min_clearance=min((float(gap.min()) for gap in gaps), default=None),
+        impact_speed=_impact_speed(states, contact, np.array([each.velocity for each in obstacles])),
+        decision=decision(commands, plans, scenario.road.friction * vehicle.mass * GRAVITY, scenario.controller.sample_time),
+        lateral_offset=Range.of(motion["Y"]),
+        speed=Range.of(speed),
+        final_yaw_rate=abs(float(motion["r"][-1])),
+        final_lateral_speed=abs(float(motion["vy"][-1])),
+        max_sideslip=float(np.abs(sideslip(states)).max()),
+        max_yaw_rate=float(np.abs(motion["r"]).max()),
+        max_steer=float(np.abs(motion["delta"]).max()),
+        step_time=StepTime.of(log.steps["step_time"]),
+        steps=len(plans),
+        fallback_steps=sum(plan.fallback is not None for plan in plans),
+        solver_failures=sum(plan.solver_failures for plan in plans),
+        wall_time=wall_time,
+    )
+
+
+def _impact_speed(states: Array, contact: NDArray[np.bool_], velocities: Array) -> float | None:
+    """Speed relative to the obstacle at the first contact; contact is (obstacles, n), velocities (obstacles, 2)."""
+    if not contact.any():
+        return None
+    first = int(np.argmax(contact.any(axis=0)))
+    obstacle = int(np.argmax(contact[:, first]))
+    vx, vy, _, psi = states[first, :4]
+    over_ground = np.array([vx * np.cos(psi) - vy * np.sin(psi), vx * np.sin(psi) + vy * np.cos(psi)])
+    return float(np.linalg.norm(over_ground - velocities[obstacle]))
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(each) for key, each in value.items()}
+    if isinstance(value, Outcome):
+        return value.value
+    return None if isinstance(value, float) and not np.isfinite(value) else value

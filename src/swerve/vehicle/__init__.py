@@ -1,0 +1,7 @@
+"""The vehicle as pure functions and frozen parameters: tyre, loads, two-track model."""
+
+from swerve.vehicle.library import VEHICLES, vehicle_named
+from swerve.vehicle.parameters import Vehicle
+from swerve.vehicle.tyre import Tyre
+
+__all__ = ["VEHICLES", "Tyre", "Vehicle", "vehicle_named"]

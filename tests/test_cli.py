@@ -1,0 +1,396 @@
+"""The command line: what it prints, where, and with which exit status."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from enum import StrEnum
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import pytest
+
+import swerve
+from swerve.cli import Progress, main
+from swerve.errors import InputError
+from swerve.scenario import Scenario, library_names
+
+Outputs = pytest.CaptureFixture[str]
+
+RESULT = {
+    "decision": "steer-left",
+    "min_distance_ratio": 1.0123,
+    "min_clearance": None,
+    "lateral_offset": {"min": -0.1, "max": 3.0, "final": 0.01},
+    "speed": {"min": 18.0, "max": 20.0, "final": 20.0},
+    "max_sideslip": 0.05,
+    "step_time": {"median": 0.0015, "p99": 0.004, "max": 0.01},
+    "steps": 100,
+    "fallback_steps": 0,
+    "solver_failures": 0,
+}
+
+
+class Outcome(StrEnum):
+    """Two of the outcomes that the simulation knows."""
+
+    AVOIDED = "avoided"
+    COLLIDED = "collided"
+
+    @property
+    def sentence(self) -> str:
+        """What happened."""
+        return "it is a sentence"
+
+
+class FakeSimulation:
+    """Stands in for `swerve.simulate.run`: notes how it was called and answers at once."""
+
+    def __init__(self) -> None:
+        self.calls: list[tuple[Scenario, str, str, int]] = []
+        self.interrupt: type[BaseException] | None = None
+
+    def __call__(
+        self, scenario: Scenario, controller: str, plant: str, seed: int, progress: Callable[[float], None]
+    ) -> SimpleNamespace:
+        """A run that was avoided."""
+        if self.interrupt:
+            raise self.interrupt
+        progress(0.5)
+        self.calls.append((scenario, controller, plant, seed))
+        names = {"scenario": scenario.name, "controller": controller, "plant": plant, "seed": seed}
+        result = RESULT | names | {"outcome": "avoided"}
+        return SimpleNamespace(result=SimpleNamespace(to_json=lambda: result, outcome=Outcome.AVOIDED))
+
+
+@pytest.fixture
+def simulation(monkeypatch: pytest.MonkeyPatch) -> FakeSimulation:
+    """The command line with a fake simulation below it and a report that writes one file."""
+    fake = FakeSimulation()
+    simulate: Any = ModuleType("swerve.simulate")
+    simulate.CONTROLLERS, simulate.DEFAULT_CONTROLLER = ("unified", "as-printed"), "unified"
+    simulate.PLANTS, simulate.DEFAULT_PLANT = ("planar",), "planar"
+    simulate.Outcome, simulate.run = Outcome, fake
+    report: Any = ModuleType("swerve.report")
+
+    def prepare_output(directory: Path) -> None:
+        if directory.name == "taken":
+            raise InputError(f"--out {directory}: not empty")
+
+    def write_run(run: object, directory: Path) -> list[Path]:
+        directory.mkdir()
+        (directory / "result.json").touch()
+        return [directory / "result.json"]
+
+    report.prepare_output, report.write_run = prepare_output, write_run
+    monkeypatch.setitem(sys.modules, "swerve.simulate", simulate)
+    monkeypatch.setitem(sys.modules, "swerve.report", report)
+    return fake
+
+
+def test_a_run_is_the_paper_s_by_default(simulation: FakeSimulation, capsys: Outputs) -> None:
+    """Without arguments `run` takes the paper's scenario, the unified controller, the default plant and seed 0."""
+    assert main(["run"]) == 0
+    ((scenario, *rest),) = simulation.calls
+    assert (scenario.name, *rest) == ("paper", "unified", "planar", 0)
+
+
+def test_a_run_s_table_is_for_people(simulation: FakeSimulation, capsys: Outputs) -> None:
+    """The table has the outcome in a sentence, distances with units, and words for what does not exist."""
+    assert main(["run", "wet", "--seed", "7"]) == 0
+    captured = capsys.readouterr()
+    assert captured.out.splitlines() == [
+        "scenario        wet, unified on planar, seed 7",
+        "outcome         avoided: it is a sentence",
+        "decision        steer-left",
+        "distance ratio  1.012 at the least (1 is contact)",
+        "clearance       none at the least",
+        "lateral offset  -0.10 to 3.00 m, 0.01 m at the end",
+        "speed           18.00 to 20.00 m/s (64.80 to 72.00 km/h)",
+        "sideslip        2.86 deg at the most",
+        "steps           100: 0 fallback, 0 solver failures",
+        "step time       1.50 ms median, 4.00 ms p99",
+    ]
+    assert captured.err == ""
+
+
+def test_json_is_one_object_and_nothing_else(simulation: FakeSimulation, capsys: Outputs, tmp_path: Path) -> None:
+    """With --json stdout is one JSON object; where the files went is told on stderr."""
+    assert main(["run", "--json", "--out", str(tmp_path / "new"), "--controller", "as-printed"]) == 0
+    captured = capsys.readouterr()
+    assert json.loads(captured.out)["controller"] == "as-printed"
+    assert captured.out.count("\n") == 1
+    assert captured.err == f"wrote {tmp_path / 'new' / 'result.json'}\n"
+
+
+def test_overrides_reach_the_scenario(simulation: FakeSimulation) -> None:
+    """Every --set is applied, in order."""
+    assert main(["run", "paper", "--set", "road.friction=0.4", "--set", "ego.speed=36 km/h"]) == 0
+    scenario = simulation.calls[0][0]
+    assert (scenario.road.friction, scenario.ego.speed) == (0.4, 10.0)
+
+
+@pytest.mark.parametrize(("required", "status"), [("avoided", 0), ("collided", 1)])
+def test_a_required_outcome_decides_the_status(
+    simulation: FakeSimulation, capsys: Outputs, required: str, status: int
+) -> None:
+    """--require gives status 1 at another outcome and says so on stderr; the result is printed all the same."""
+    assert main(["run", "--json", "--require", required]) == status
+    captured = capsys.readouterr()
+    assert json.loads(captured.out)["outcome"] == "avoided"
+    assert ("required was collided" in captured.err) == (status == 1)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["run", "papre"], "papre: no such scenario; did you mean paper?"),
+        (["run", "--set", "road.frictoin=0.4"], "road.frictoin: unknown key; did you mean road.friction?"),
+        (["run", "--set", "ego.speed=72 kg"], "ego.speed: '72 kg' is not a speed"),
+        (["run", "--set", "ego.speed=nan"], "ego.speed: nan is not finite"),
+        (["run", "--set", "road.friction=-1"], "road.friction: -1 is out of range"),
+        (["run", "--set", "road.friction"], "--set road.friction: no '='"),
+        (["run", "--controller", "unifed"], "--controller: unknown controller 'unifed'; did you mean unified?"),
+        (["run", "--plant", "planer"], "--plant: unknown plant 'planer'; did you mean planar?"),
+        (["run", "--plant", ""], "--plant: unknown plant ''; write one of planar"),
+        (["run", "--require", "avoidd"], "--require: unknown outcome 'avoidd'; did you mean avoided?"),
+        (["run", "--seed", "-1"], "argument --seed: '-1' is no seed; write a whole number"),
+        (["run", "--seed", "x"], "argument --seed: 'x' is no seed; write a whole number"),
+        (["run", "--out", "taken"], "--out taken: not empty"),
+        (["run", "--sed"], "unrecognized arguments: --sed"),
+        (["run", "paper", "wet"], "unrecognized arguments: wet"),
+        (["runn"], "invalid choice: 'runn'"),
+        ([], "the following arguments are required: COMMAND"),
+    ],
+    ids=" ".join,
+)
+def test_wrong_input_is_one_message(
+    simulation: FakeSimulation, capsys: Outputs, arguments: list[str], message: str
+) -> None:
+    """Wrong input gives status 2 and one line on stderr; nothing is printed on stdout and nothing is run."""
+    assert main(arguments) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("swerve: error: ")
+    assert message in captured.err
+    assert captured.err.count("\n") == 1
+    assert simulation.calls == []
+
+
+def test_an_interrupted_run_writes_nothing(simulation: FakeSimulation, capsys: Outputs, tmp_path: Path) -> None:
+    """Ctrl-C gives status 130, one line, and no output directory."""
+    simulation.interrupt = KeyboardInterrupt
+    assert main(["run", "--out", str(tmp_path / "new")]) == 130
+    captured = capsys.readouterr()
+    assert (captured.out, captured.err) == ("", "swerve: interrupted\n")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_reproduce_prints_its_table_and_files(
+    simulation: FakeSimulation, monkeypatch: pytest.MonkeyPatch, capsys: Outputs
+) -> None:
+    """`reproduce` writes where it is told to, by default to swerve-reproduction."""
+    module: Any = ModuleType("swerve.study.reproduce")
+    module.reproduce = lambda directory, progress: SimpleNamespace(
+        table_text=lambda: "a table", paths=[directory / "table.md"]
+    )
+    monkeypatch.setitem(sys.modules, "swerve.study.reproduce", module)
+    assert main(["reproduce"]) == 0
+    assert capsys.readouterr().out == f"a table\nwrote {Path('swerve-reproduction') / 'table.md'}\n"
+    assert main(["reproduce", "--out", "taken"]) == 2
+
+
+def test_scenarios_are_listed(capsys: Outputs) -> None:
+    """`scenarios` prints a line for each of the library's, with what it is for; --json the same as a list."""
+    assert main(["scenarios"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == library_names()
+    assert all(len(line) < 120 and len(line.split()) > 3 for line in lines)
+    assert main(["scenarios", "--json"]) == 0
+    listed = json.loads(capsys.readouterr().out)
+    assert [set(each) for each in listed] == [{"name", "description", "source"}] * len(lines)
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"], ["scenarios", "--help"], ["reproduce", "--help"]])
+def test_help_is_an_answer(capsys: Outputs, arguments: list[str]) -> None:
+    """--help prints the usage on stdout with status 0."""
+    assert main(arguments) == 0
+    captured = capsys.readouterr()
+    assert captured.out.startswith("usage: swerve")
+    assert captured.err == ""
+
+
+def test_the_version_is_the_package_s(capsys: Outputs) -> None:
+    """--version prints the version of the package."""
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"swerve {swerve.__version__}\n"
+
+
+class FakeStream:
+    """A stream that remembers; a terminal if told so."""
+
+    def __init__(self, *, terminal: bool) -> None:
+        self.text = ""
+        self._terminal = terminal
+
+    def isatty(self) -> bool:
+        """Whether it is a terminal."""
+        return self._terminal
+
+    def write(self, text: str) -> int:
+        """Remember the text."""
+        self.text += text
+        return len(text)
+
+    def flush(self) -> None:
+        """Nothing to do."""
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> SimpleNamespace:
+    """The clock that progress looks at, set by hand [s]."""
+    hand = SimpleNamespace(now=100.0)
+    monkeypatch.setattr("swerve.cli.time", SimpleNamespace(monotonic=lambda: hand.now))
+    return hand
+
+
+def _progress(clock: SimpleNamespace, *, terminal: bool) -> str:
+    """What is shown of work that takes 20 s and tells of itself every 10 ms."""
+    stream: Any = FakeStream(terminal=terminal)
+    with Progress(stream) as progress:
+        for step in range(2000):
+            progress(step / 2000)
+            clock.now += 0.01
+    return str(stream.text)
+
+
+def test_progress_in_a_file_is_plain_lines(clock: SimpleNamespace) -> None:
+    """Where stderr is no terminal, progress is a line after a second and then one every five, without control codes."""
+    assert _progress(clock, terminal=False).splitlines() == [f"swerve: {p}% done" for p in (5, 30, 55, 80)]
+
+
+def test_progress_on_a_terminal_goes_away(clock: SimpleNamespace) -> None:
+    """On a terminal, progress is one line that renews itself and is wiped at the end."""
+    text = _progress(clock, terminal=True)
+    assert "\n" not in text
+    assert "\rswerve:  50%" in text
+    assert re.search(r"\r +\r$", text)
+
+
+def test_quick_work_shows_no_progress(clock: SimpleNamespace) -> None:
+    """Work of less than a second is silent."""
+    stream: Any = FakeStream(terminal=True)
+    with Progress(stream) as progress:
+        clock.now += 0.9
+        progress(0.9)
+    assert stream.text == ""
+
+
+CONTRACT_KEYS = {
+    "scenario",
+    "controller",
+    "plant",
+    "seed",
+    "version",
+    "outcome",
+    "min_distance_ratio",
+    "min_clearance",
+    "impact_speed",
+    "decision",
+    "lateral_offset",
+    "speed",
+    "final_yaw_rate",
+    "final_lateral_speed",
+    "max_sideslip",
+    "max_yaw_rate",
+    "max_steer",
+    "step_time",
+    "steps",
+    "fallback_steps",
+    "solver_failures",
+    "wall_time",
+}
+
+
+@pytest.mark.parametrize("obstacles", ["", "[]", "[{position=[30, 0], size=[4, 2]}]"])
+def test_a_real_run_answers_with_all_keys(capsys: Outputs, obstacles: str) -> None:
+    """The JSON of a run has every key, with null for a distance that does not exist, and so does the table."""
+    arguments = ["run", "paper", "--set", "duration=0.1 s"]
+    if obstacles:
+        arguments += ["--set", f"obstacles={obstacles}"]
+    assert main([*arguments, "--json"]) == 0
+    result = json.loads(capsys.readouterr().out)
+    assert set(result) >= CONTRACT_KEYS
+    assert (result["min_distance_ratio"] is None) == bool(obstacles)
+    assert (result["min_clearance"] is None) == (obstacles == "[]")
+    assert main(arguments) == 0
+    assert "outcome         avoided" in capsys.readouterr().out
+
+
+def _python(code: str, **keywords: Any) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, **keywords)
+
+
+def test_the_command_starts_light() -> None:
+    """Importing the command line imports none of the heavy libraries, so that --help answers at once."""
+    done = _python("import sys, swerve.cli; print(*{m.partition('.')[0] for m in sys.modules})")
+    heavy = {"casadi", "matplotlib", "numpy", "pydantic", "pyarrow", "scipy", "shapely"}
+    assert done.returncode == 0
+    assert heavy.isdisjoint(done.stdout.split())
+
+
+def test_a_wrong_scenario_in_a_process_of_its_own(tmp_path: Path) -> None:
+    """`python -m swerve` gives status 2 and one line, without a traceback, and leaves no file behind."""
+    done = subprocess.run(
+        [sys.executable, "-m", "swerve", "run", "absent.toml", "--out", "there"],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        cwd=tmp_path,
+    )
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("swerve: error: absent.toml: cannot be read: No such file")
+    assert done.stderr.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_reader_that_leaves_early_is_no_error() -> None:
+    """When the reader of stdout has gone, there is no traceback and no complaint at exit."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    with os.fdopen(writer, "wb") as stdout:
+        done = subprocess.run(
+            [sys.executable, "-m", "swerve", "scenarios"], stdout=stdout, stderr=subprocess.PIPE, timeout=60
+        )
+    assert (done.returncode, done.stderr) == (141, b"")
+
+
+def test_a_full_disk_is_one_line() -> None:
+    """When stdout cannot be written, there is one line on stderr and status 2."""
+    full = Path("/dev/full")
+    if not full.exists():
+        pytest.skip("no /dev/full on this system")
+    with full.open("wb") as stdout:
+        done = subprocess.run(
+            [sys.executable, "-m", "swerve", "scenarios"], stdout=stdout, stderr=subprocess.PIPE, text=True, timeout=60
+        )
+    assert done.returncode == 2
+    assert re.fullmatch(r"swerve: error: cannot write: .*No space left on device\n", done.stderr)
+
+
+def test_ctrl_c_ends_a_real_run() -> None:
+    """An interrupt in the middle of a run gives status 130 and one line after the progress, and no result."""
+    command = [sys.executable, "-m", "swerve", "run", "far-away", "--json", "--set", "duration=300 s"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+        assert running.stderr
+        progress = running.stderr.readline()
+        running.send_signal(signal.SIGINT)
+        output, errors = running.communicate(timeout=60)
+    assert re.fullmatch(r"swerve: \d+% done\n", progress)
+    assert (running.returncode, output) == (130, "")
+    assert errors.splitlines()[-1] == "swerve: interrupted"
+    assert "Traceback" not in errors
