@@ -21,9 +21,9 @@ class Kernel:
         """Compile (or take from the cache) and bind buffers.
 
         Args:
-            function: CasADi function with dense inputs; sparse outputs are made dense.
+            function: CasADi function; sparse inputs and outputs are made dense.
         """
-        function = _with_dense_outputs(function)
+        function = _made_dense(function)
         library = compiled(function)
         self.is_compiled = library is not None
         self._function = function if library is None else ca.external(function.name(), str(library))
@@ -48,10 +48,11 @@ def _dense(shape: tuple[int, int]) -> NDArray[np.float64]:
     return np.zeros(shape[0]) if shape[1] == 1 else np.zeros(shape, order="F")
 
 
-def _with_dense_outputs(function: ca.Function) -> ca.Function:
-    """The same function; buffers hold only the non-zeros of a sparse output, whose place would then be lost."""
-    if all(function.sparsity_out(i).is_dense() for i in range(function.n_out())):
+def _made_dense(function: ca.Function) -> ca.Function:
+    """The same function; buffers hold only the non-zeros of a sparse matrix, whose place would then be lost."""
+    inputs, outputs = range(function.n_in()), range(function.n_out())
+    patterns = [function.sparsity_in(i) for i in inputs] + [function.sparsity_out(i) for i in outputs]
+    if all(pattern.is_dense() for pattern in patterns):
         return function
-    symbols = [ca.MX.sym(function.name_in(i), *function.size_in(i)) for i in range(function.n_in())]
-    outputs = function.call(symbols)
-    return ca.Function(function.name(), symbols, [ca.densify(output) for output in outputs])
+    symbols = [ca.MX.sym(function.name_in(i), *function.size_in(i)) for i in inputs]
+    return ca.Function(function.name(), symbols, [ca.densify(output) for output in function.call(symbols)])

@@ -1,8 +1,9 @@
 """DAQP: a dual active-set method (Arnstroem, Bemporad and Axehill, IEEE TAC 67, 2022), exact up to rounding.
 
-It counts an infinite bound as 1e30 and takes the active set of a warm start from the signs of its multipliers. Its
-method works on G H^-1 G': with H singular there is none, and with H nearly so, rows look parallel that are not, and a
-problem infeasible that is not. Both cases go through DAQP's slower proximal iteration, which adds to H and takes away.
+It counts an infinite limit as 1e30 and takes the active set of a warm start from the signs of its multipliers. The
+method needs an invertible H; with one that nearly is not, rows look parallel that are not, and it may cycle or take the
+problem for infeasible. What fails so is tried once more by its proximal iteration, slower and with a well-conditioned
+H: each pass adds to H what costs nothing near the pass before.
 """
 
 from typing import Final
@@ -17,16 +18,17 @@ from swerve.qp.solution import Solution, Status, WarmStart
 INFINITY: Final = 1e30
 PRIMAL_TOLERANCE: Final = 1e-8  # [unit of the row or bound]
 STRICTLY_CONVEX: Final = {"eps_prox": 0.0}
-PROXIMAL: Final = {"eps_prox": 1e-3, "eta_prox": 1e-9}  # what each pass adds to H; stationarity to reach
+PROXIMAL: Final = {"eps_prox": 1e-2, "eta_prox": 1e-9}  # what a pass adds to the diagonal of H; stationarity to reach
 
-INFEASIBLE: Final = -1
+SOLVED: Final = 1
+ITERATION_LIMIT: Final = -4
 NOT_POSITIVE_DEFINITE: Final = -5
 STATUS: Final = {
-    1: (Status.SOLVED, ""),
-    INFEASIBLE: (Status.INFEASIBLE, ""),
+    SOLVED: (Status.SOLVED, ""),
+    -1: (Status.INFEASIBLE, ""),
     -2: (Status.FAILED, "the active set cycles"),
     -3: (Status.FAILED, "the cost is unbounded below"),
-    -4: (Status.ITERATION_LIMIT, ""),
+    ITERATION_LIMIT: (Status.ITERATION_LIMIT, ""),
     NOT_POSITIVE_DEFINITE: (Status.FAILED, "the Hessian is not positive semidefinite"),
     -6: (Status.INFEASIBLE, ""),  # the equalities contradict each other
 }
@@ -35,11 +37,11 @@ STATUS: Final = {
 def solve_daqp(problem: Problem, warm_start: WarmStart | None, iteration_limit: int) -> Solution:
     """Solve the equilibrated `problem`, beginning with the active set of `warm_start`."""
     terms = (  # DAQP reads on from the first element of each array: they must be contiguous
-        np.ascontiguousarray(problem.hessian, np.float64),
-        np.ascontiguousarray(problem.gradient, np.float64),
-        np.ascontiguousarray(problem.rows, np.float64),
-        np.minimum(np.concatenate((problem.upper, problem.row_upper), dtype=np.float64), INFINITY),
-        np.maximum(np.concatenate((problem.lower, problem.row_lower), dtype=np.float64), -INFINITY),
+        np.ascontiguousarray(problem.hessian),
+        np.ascontiguousarray(problem.gradient),
+        np.ascontiguousarray(problem.rows),
+        np.minimum(np.concatenate((problem.upper, problem.row_upper)), INFINITY),
+        np.maximum(np.concatenate((problem.lower, problem.row_lower)), -INFINITY),
     )
     settings = {
         "primal_tol": PRIMAL_TOLERANCE,
@@ -48,8 +50,10 @@ def solve_daqp(problem: Problem, warm_start: WarmStart | None, iteration_limit: 
         "eq_reduction": daqp.EQ_REDUCTION_OFF,  # in 0.11 it overlooks crossed limits
     }
     x, _, flag, info = daqp.solve(*terms, **settings, **STRICTLY_CONVEX)
-    if flag == INFEASIBLE or (flag == NOT_POSITIVE_DEFINITE and is_convex(problem.hessian)):
-        x, _, flag, info = daqp.solve(*terms, **settings, **PROXIMAL)
+    if flag not in (SOLVED, ITERATION_LIMIT) and is_convex(problem.hessian):
+        again = daqp.solve(*terms, **settings, **PROXIMAL)
+        if flag == NOT_POSITIVE_DEFINITE or again[2] == SOLVED:
+            x, _, flag, info = again
 
     iterations = min(info["iterations"], iteration_limit)
     status, reason = STATUS.get(flag, (Status.FAILED, f"exit flag {flag}"))

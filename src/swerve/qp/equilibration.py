@@ -31,10 +31,10 @@ class Equilibration:
 
     @classmethod
     def of(cls, problem: Problem) -> "Equilibration":
-        """The scales of `problem`: ones where no variable has a weight."""
+        """The scales of `problem`: ones where no variable has a finite weight."""
         weights = problem.hessian.diagonal()
         heaviest = float(weights.max())
-        if not heaviest > 0.0:
+        if not 0.0 < heaviest < math.inf:
             return cls(np.ones(weights.size), 1.0)
         weighted = weights > WEIGHTLESS * heaviest
         cost = math.sqrt(heaviest) * math.sqrt(float(weights[weighted].min()))

@@ -16,6 +16,7 @@ from swerve.qp.solution import Solution, Status, WarmStart
 INFINITY: Final = 1e30
 ABSOLUTE: Final = 1e-10  # residual and duality gap to reach; x is off by about the root of the gap
 RELATIVE: Final = 1e-11  # the same, of the largest term
+CERTIFICATE: Final = 1e-8  # of no solution; at its own 1e-4 it also finds some for problems that have one
 
 STATUS: Final = {
     piqp.PIQP_SOLVED: (Status.SOLVED, ""),
@@ -35,8 +36,9 @@ def solve_piqp(problem: Problem, warm_start: WarmStart | None, iteration_limit: 
     equal = problem.row_lower == problem.row_upper
     limited = ~equal & ((problem.row_lower > -INFINITY) | (problem.row_upper < INFINITY))
     solver = piqp.DenseSolver()
-    solver.settings.max_iter = iteration_limit
+    solver.settings.max_iter = iteration_limit + 1  # PIQP stops one short of its limit
     solver.settings.eps_abs = solver.settings.eps_duality_gap_abs = ABSOLUTE
+    solver.settings.eps_primal_inf = solver.settings.eps_dual_inf = CERTIFICATE
     solver.settings.eps_rel = solver.settings.eps_duality_gap_rel = RELATIVE
     solver.setup(
         problem.hessian,
@@ -51,13 +53,12 @@ def solve_piqp(problem: Problem, warm_start: WarmStart | None, iteration_limit: 
     )
     flag = solver.solve()
     result = solver.result
-
+    iterations = min(result.info.iter, iteration_limit)
     status, reason = STATUS.get(flag, (Status.FAILED, str(flag)))
     if status is not Status.SOLVED:
-        return Solution.without_answer(problem, status, result.info.iter, "piqp", reason)
+        return Solution.without_answer(problem, status, iterations, "piqp", reason)
     row_multipliers = np.zeros(problem.row_lower.size)
     row_multipliers[equal] = result.y
     row_multipliers[limited] = result.z_u - result.z_l
-    return Solution(
-        problem, result.x.copy(), result.z_bu - result.z_bl, row_multipliers, status, result.info.iter, "piqp"
-    )
+    bound_multipliers = result.z_bu - result.z_bl
+    return Solution(problem, result.x.copy(), bound_multipliers, row_multipliers, status, iterations, "piqp")

@@ -59,5 +59,5 @@ def _doubted(solution: Solution) -> Solution:
     violation = solution.primal_residual
     if violation <= FEASIBILITY * (1.0 + float(np.abs(solution.x).max())):
         return solution
-    reason = f"the answer violates a constraint by {violation:.3g}; scale variables and rows to the order of one"
+    reason = f"the answer violates a constraint by {violation:.3g}; choose units that make rows of the order of one"
     return Solution.without_answer(solution.problem, Status.FAILED, solution.iterations, solution.solver, reason)

@@ -84,13 +84,13 @@ class UnifiedSettings(Settings):
     slip_penalty: Weight = 1e3
     slip_penalty_quadratic: Weight = 1e5
     clearance_margin: Margin = 0.01
-    clearance_penalty: Weight = 5e3
+    clearance_penalty: Weight = 2e4
     clearance_penalty_quadratic: Weight = 1e5
     force_weight: Weight = 1e-8
     trust_steering: Angle = 0.08
     trust_force: Force = 4e3
     iterations: Iterations = 2
-    first_iterations: Iterations = 8
+    first_iterations: Iterations = 6
     commitment: Share = 0.5
 
 

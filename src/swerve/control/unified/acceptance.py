@@ -1,6 +1,6 @@
 """Which part of a proposed change is taken: what counts is the roll-out through the nonlinear model.
 
-Step lengths 1, 1/2, 1/4, 1/8 are tried until one lowers the merit by at least GOOD of what the convex program promised;
+Step lengths 1, 1/2, 1/4 are tried until one lowers the merit by at least GOOD of what the convex program promised;
 failing that, the best of them is taken if it lowers the merit at all.
 """
 
@@ -15,7 +15,7 @@ from swerve.control.unified.program import Score
 
 Array = NDArray[np.float64]
 
-STEP_LENGTHS = (1.0, 0.5, 0.25, 0.125)
+STEP_LENGTHS = (1.0, 0.5, 0.25)
 GOOD = 0.25  # [1] share of the promise
 
 

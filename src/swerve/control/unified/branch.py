@@ -15,7 +15,7 @@ from swerve.qp import Solution, solve
 
 Array = NDArray[np.float64]
 
-CONVERGED = 1e-3  # [1] relative fall of the merit below which an iteration was the last
+CONVERGED = 5e-3  # [1] relative fall of the merit below which an iteration was the last
 NOTHING = 1e-6  # [1] relative fall of the merit that is not worth a roll-out
 SMALLEST_TRUST = 1 / 64  # [1] of the full trust region
 TRUST_AFTER_A_STEP = 1 / 4  # [1] the region is at least this large when a new sample begins
@@ -85,8 +85,8 @@ def improve(situation: Situation, step: Step, trust: float, iterations: int) -> 
     program, blocking = situation.program, situation.program.box.blocking
     is_shaped, n_solved, n_failed = False, 0, 0
     for _ in range(iterations):
-        trajectory, jacobians = situation.model.linearise(situation.start, step.trajectory.inputs, situation.loads)
-        problem = program.convex(trajectory, condense(jacobians, blocking), trust * situation.full_trust)
+        jacobians = situation.model.linearise(step.trajectory, situation.loads)
+        problem = program.convex(step.trajectory, condense(jacobians, blocking), trust * situation.full_trust)
         solution = solve(problem)
         if not solution.is_solved:
             n_failed += 1

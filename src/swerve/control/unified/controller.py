@@ -65,7 +65,8 @@ class UnifiedController(Controller[Memory]):
             Tracking(VY, 0.0, weights.lateral_speed),
             Tracking(Y, goal.lateral_offset, weights.lateral_offset),
         )
-        self._rates = np.array([weights.steering_rate] + 4 * [weights.force_rate])
+        rates = np.array([weights.steering_rate] + 4 * [weights.force_rate])
+        self._input_rate = InputRate.of(rates, self._blocking)
         self._force = WheelForce(settings.force_weight, self._blocking)
         self._trust = np.array([settings.trust_steering] + 4 * [settings.trust_force])
         self._clearance = Penalty(settings.clearance_penalty, settings.clearance_penalty_quadratic)
@@ -113,7 +114,8 @@ class UnifiedController(Controller[Memory]):
     def _plan_side(self, situation: Situation, step: Step, memory: Memory, *, is_spare: bool) -> SidePlan:
         """The plan of one side, from its shifted plan on; a spare one gets a single iteration and no seeds."""
         trust = max(memory.trust.get(situation.side, 1.0), TRUST_AFTER_A_STEP)
-        plan = improve(situation, step, trust, 1 if is_spare else self._settings.iterations)
+        is_new = situation.side not in memory.inputs and situation.missed_clearance(step) > CLEAR
+        plan = improve(situation, step, trust, 0 if is_new else 1 if is_spare else self._settings.iterations)
         if is_spare or plan.violation <= CLEAR:
             return plan
         speed, n_samples = float(situation.start[VX]), self._horizon.prediction
@@ -128,7 +130,7 @@ class UnifiedController(Controller[Memory]):
 
     def _situation(self, side: Side, measurement: Measurement, memory: Memory) -> Situation:
         """Cost and limits of this step for passing on one side."""
-        box = InputBox(self._vehicle, self._friction, measurement.wheel_loads, self._blocking)
+        box = InputBox.of(self._vehicle, self._friction, measurement.wheel_loads, self._blocking)
         obstacles = [
             ObstacleLimit(
                 seen.as_obstacle(),
@@ -143,7 +145,7 @@ class UnifiedController(Controller[Memory]):
         ]
         rate = self._vehicle.steering_rate_limit * self._horizon.sample_time
         hard = [SteeringRateLimit(rate, float(memory.command[DELTA]), self._blocking)] if np.isfinite(rate) else []
-        terms = (*self._tracking, InputRate(self._rates, memory.command, self._blocking), self._force)
+        terms = (*self._tracking, self._input_rate.after(memory.command), self._force)
         program = Program(terms, box, hard, (*obstacles, self._slip))
         return Situation(side, program, self._model, measurement.state, measurement.wheel_loads, self._trust)
 
@@ -155,7 +157,7 @@ class UnifiedController(Controller[Memory]):
             time,
             taken.step.trajectory.inputs,
             taken.step.trajectory.states,
-            taken.side if is_shaped else None,
+            taken.side if taken.is_shaped else None,
             tuple(Branch(each.side, each.step.merit, each.violation) for each in sides.values()),
             solver_failures=sum(each.n_failed for each in sides.values()),
         )
@@ -164,7 +166,7 @@ class UnifiedController(Controller[Memory]):
         return (
             Command.from_input(plan.inputs[0]),
             plan,
-            Memory(plan.inputs[0], inputs, trust, plan.side, plan, 0),
+            Memory(plan.inputs[0], inputs, trust, taken.side if is_shaped else None, plan, 0),
         )
 
     def _unusable(self, measurement: Measurement) -> Fallback | None:
@@ -179,7 +181,7 @@ class UnifiedController(Controller[Memory]):
     ) -> tuple[Command, Plan, Memory]:
         """The command of the documented fallback; the memory's plans move on by one sample."""
         loads = np.array(wheel_loads(Parameters.of(self._vehicle, self._friction)))
-        largest = InputBox(self._vehicle, self._friction, loads, self._blocking).largest
+        largest = InputBox.of(self._vehicle, self._friction, loads, self._blocking).largest
         plan = fallback_plan(time, reason, memory, largest, self._horizon.prediction)
         moved = {side: shifted(inputs) for side, inputs in memory.inputs.items()}
         return (

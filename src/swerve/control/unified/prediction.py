@@ -26,6 +26,7 @@ from swerve.vehicle.tyre import factors, magic_formula
 Array = NDArray[np.float64]
 
 N_OUTPUTS = 5  # y above
+POSE = [X, Y, PSI]
 SLIP_SPEED_FLOOR = 5.0  # [m/s] keeps Runge-Kutta steps of 25 ms stable down to standstill; see two_track
 
 
@@ -73,31 +74,26 @@ class PredictionModel:
         self.horizon = horizon
         self._parameters = Parameters.of(vehicle, friction, SLIP_SPEED_FLOOR).as_array()
         self._roll_out = Kernel(_over_horizon(_sample(), horizon.prediction, "roll_out"))
-        self._linearise = Kernel(_over_horizon(_sample_with_jacobians(), horizon.prediction, "linearise"))
+        self._linearise = Kernel(_over_horizon(_sample_with_jacobians(), horizon.prediction, "linearise", skip=1))
 
     def roll_out(self, start: Array, inputs: Array, loads: Array) -> Trajectory:
         """The motion from state `start` (6,) under `inputs` (Np, 5), with wheel loads (4,) [N] held."""
         states, outputs, demand = self._roll_out(start, inputs.T, loads, self._parameters, self.horizon.sample_time)
-        return _trajectory(start, inputs, states, outputs, demand)
+        all_states = np.vstack([start, states.T])
+        poses = np.empty((2 * len(inputs) + 1, 3))
+        poses[0::2] = all_states[:, POSE]
+        poses[1::2] = outputs[:3].T
+        return Trajectory(inputs, all_states, poses, outputs[3], outputs[4], demand.T)
 
-    def linearise(self, start: Array, inputs: Array, loads: Array) -> tuple[Trajectory, Linearisation]:
-        """The same motion, and its Jacobians."""
-        answer = self._linearise(start, inputs.T, loads, self._parameters, self.horizon.sample_time)
-        states, outputs, demand, by_state, by_input = answer
+    def linearise(self, trajectory: Trajectory, loads: Array) -> Linearisation:
+        """Jacobians along a roll-out with these wheel loads (4,) [N]."""
+        start, inputs = trajectory.states[0], trajectory.inputs
+        by_state, by_input = self._linearise(start, inputs.T, loads, self._parameters, self.horizon.sample_time)
         n = self.horizon.prediction
         # (rows, n * columns) in column-major order is (n, columns, rows) in memory
         f_x = by_state.T.reshape(n, N_STATES, N_STATES + N_OUTPUTS).transpose(0, 2, 1)
         f_u = by_input.T.reshape(n, N_INPUTS, N_STATES + N_OUTPUTS).transpose(0, 2, 1)
-        jacobians = Linearisation(f_x[:, :N_STATES], f_u[:, :N_STATES], f_x[:, N_STATES:], f_u[:, N_STATES:])
-        return _trajectory(start, inputs, states, outputs, demand), jacobians
-
-
-def _trajectory(start: Array, inputs: Array, states: Array, outputs: Array, demand: Array) -> Trajectory:
-    all_states = np.vstack([start, states.T])
-    poses = np.empty((2 * len(inputs) + 1, 3))
-    poses[0::2] = all_states[:, (X, Y, PSI)]
-    poses[1::2] = outputs[:3].T
-    return Trajectory(inputs, all_states, poses, outputs[3], outputs[4], demand.T)
+        return Linearisation(f_x[:, :N_STATES], f_u[:, :N_STATES], f_x[:, N_STATES:], f_u[:, N_STATES:])
 
 
 def _sample() -> ca.Function:
@@ -119,18 +115,20 @@ def _sample() -> ca.Function:
 
 
 def _sample_with_jacobians() -> ca.Function:
-    """(x, u, Fz, p, Ts) -> x_k+1, y, |M|/D, d[x_k+1; y]/dx, d[x_k+1; y]/du."""
+    """(x, u, Fz, p, Ts) -> x_k+1, d[x_k+1; y]/dx, d[x_k+1; y]/du."""
     sample = _sample()
     arguments = sample.sx_in()
-    end, y, demand = sample.call(arguments)
-    both = ca.vertcat(end, y)
-    jacobians = [ca.densify(ca.jacobian(both, arguments[i])) for i in (0, 1)]
-    return ca.Function("sample_with_jacobians", arguments, [end, y, demand, *jacobians])
+    end, y, _ = sample.call(arguments)
+    jacobians = [ca.densify(ca.jacobian(ca.vertcat(end, y), arguments[i])) for i in (0, 1)]
+    return ca.Function("sample_with_jacobians", arguments, [end, *jacobians])
 
 
-def _over_horizon(sample: ca.Function, n: int, name: str) -> ca.Function:
-    """`sample` n times, each from where the last one ended; other arguments but the input are the same for all."""
+def _over_horizon(sample: ca.Function, n: int, name: str, skip: int = 0) -> ca.Function:
+    """`sample` n times, each from where the last one ended; other arguments but the input are the same for all.
+
+    The first `skip` results are left out.
+    """
     x, inputs = ca.MX.sym("x", N_STATES), ca.MX.sym("U", N_INPUTS, n)
     held = [ca.MX.sym(f"held{i}", *sample.size_in(i)) for i in range(2, sample.n_in())]
     results = sample.mapaccum(name, n).call([x, inputs, *(ca.repmat(h, 1, n) for h in held)])
-    return ca.Function(name, [x, inputs, *held], results)
+    return ca.Function(name, [x, inputs, *held], results[skip:])

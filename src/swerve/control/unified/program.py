@@ -78,32 +78,44 @@ class Program:
             model = term.quadratic(trajectory, sensitivities)
             hessian[:n, :n] += model.hessian
             gradient[:n] += model.gradient
-        blocks = [_with_slack(limit.rows(trajectory, sensitivities), None, n_slacks) for limit in self.hard]
-        for i, limit in enumerate(self.soft):
-            hessian[n + i, n + i] = 2 * limit.penalty.quadratic
-            gradient[n + i] = limit.penalty.linear
-            blocks.append(_with_slack(limit.rows(trajectory, sensitivities), i, n_slacks))
+        for i, limit in enumerate(self.soft, start=n):
+            hessian[i, i], gradient[i] = 2 * limit.penalty.quadratic, limit.penalty.linear
+        rows, row_lower, row_upper = self._rows(trajectory, sensitivities)
         lower, upper = self.box.bounds(trajectory, trust)
         return Problem(
             hessian=hessian,
             gradient=gradient,
             lower=np.concatenate([lower, np.zeros(n_slacks)]),
             upper=np.concatenate([upper, np.full(n_slacks, np.inf)]),
-            rows=np.vstack([block.matrix for block in blocks]),
-            row_lower=np.concatenate([block.lower for block in blocks]),
-            row_upper=np.concatenate([block.upper for block in blocks]),
+            rows=rows,
+            row_lower=row_lower,
+            row_upper=row_upper,
+        )
+
+    def _rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
+        """All rows over (z, s); a soft one holds from below with its slack added, from above with it taken away."""
+        hard = [limit.rows(trajectory, sensitivities) for limit in self.hard]
+        soft = [_one_sided(limit.rows(trajectory, sensitivities)) for limit in self.soft]
+        parts = hard + [part for pair in soft for part in pair]
+        n = self.box.blocking.n
+        matrix = np.zeros((sum(len(part.lower) for part in parts), n + len(self.soft)))
+        np.concatenate([part.matrix for part in parts], out=matrix[:, :n])
+        row = sum(len(part.lower) for part in hard)
+        for slack, (below, above) in enumerate(soft, start=n):
+            matrix[row : row + len(below.lower), slack] = 1.0
+            row += len(below.lower)
+            matrix[row : row + len(above.lower), slack] = -1.0
+            row += len(above.lower)
+        return Rows(
+            matrix, np.concatenate([part.lower for part in parts]), np.concatenate([part.upper for part in parts])
         )
 
 
-def _with_slack(rows: Rows, slack: int | None, n_slacks: int) -> Rows:
-    """Rows over (z, s); with a slack, each finite side becomes a row of its own: lower <= G z + s, G z - s <= upper."""
-    if slack is None:
-        return Rows(np.pad(rows.matrix, ((0, 0), (0, n_slacks))), rows.lower, rows.upper)
+def _one_sided(rows: Rows) -> tuple[Rows, Rows]:
+    """The rows that hold from below, and those that hold from above; a side that is infinite is left out."""
     below, above = np.isfinite(rows.lower), np.isfinite(rows.upper)
-    n_below, n_above, n = int(below.sum()), int(above.sum()), rows.matrix.shape[1]
-    matrix = np.zeros((n_below + n_above, n + n_slacks))
-    matrix[:n_below, :n], matrix[n_below:, :n] = rows.matrix[below], rows.matrix[above]
-    matrix[:n_below, n + slack], matrix[n_below:, n + slack] = 1.0, -1.0
-    lower = np.concatenate([rows.lower[below], np.full(n_above, -np.inf)])
-    upper = np.concatenate([np.full(n_below, np.inf), rows.upper[above]])
-    return Rows(matrix, lower, upper)
+    n_below, n_above = np.count_nonzero(below), np.count_nonzero(above)
+    return (
+        Rows(rows.matrix[below], rows.lower[below], np.full(n_below, np.inf)),
+        Rows(rows.matrix[above], np.full(n_above, -np.inf), rows.upper[above]),
+    )

@@ -1,49 +1,57 @@
-"""Which line separates the footprint from an obstacle, on a given side.
+"""Lines that separate the footprint from an obstacle, on a given side, so that nothing cuts between two poses.
 
-For an ellipse and a point the line is tangent where the ray from the centre leaves the ellipse (in the scaled plane in
-which the ellipse is a circle). Rectangles add the normals of their faces, and the line with the widest gap is taken:
-two convex polygons are apart exactly when one of their face normals separates them (separating axis theorem).
+A point and an ellipse: one tangent a pose, where the ray from the centre leaves the ellipse (in the scaled plane in
+which the ellipse is the unit circle). Two points outside a circle of radius 1 / cos(phi / 2), seen from its centre under an
+angle phi, have a chord outside the unit circle: so far the ellipse is blown up.
+
+Rectangles: one line for each pair of neighbouring poses, both behind it, so that the straight motion between them is
+too. Of the normals of all faces that with the widest gap is taken: two convex polygons are apart exactly when one of
+their face normals separates them (separating axis theorem).
+
 A line for passing on the left never pushes to the right: n_Y >= 0 in world axes; at n_Y = 0 it says stay behind or ahead.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control.plan import Side
-from swerve.world import Footprint, Obstacle, Point, Rectangle
+from swerve.world import Ellipse, Footprint, Obstacle, Point, Rectangle
 
 Array = NDArray[np.float64]
 
 AXES = np.array([[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])
+COSINE_OF_CHORD = 0.0  # [1] of the widest chord: neighbours further apart lead through the obstacle, not past it
+SMALLEST = 1e-12  # [1] keeps a pose in the obstacle's centre from dividing by zero
 
 
-def separating_normals(obstacle: Obstacle, footprint: Footprint, poses: Array, side: Side) -> tuple[Array, Array]:
-    """Unit normals from obstacle to footprint, and how far the obstacle reaches along each.
+class Planes(NamedTuple):
+    """Half-planes, each for one pose: normal . (pose - obstacle's centre) >= reach + the footprint's own reach.
+
+    Attributes:
+        pose: (k,) index of the pose, at least 1: the first pose is measured and can't be moved.
+        normal: (k, 2) unit vectors from obstacle to footprint, in world axes.
+        reach: (k,) of the obstacle along the normal [m].
+    """
+
+    pose: NDArray[np.intp]
+    normal: Array
+    reach: Array
+
+
+def separating_planes(obstacle: Obstacle, footprint: Footprint, poses: Array, side: Side) -> Planes:
+    """The half-planes for a sequence of poses.
 
     Args:
         obstacle: its shape and heading; its position is not used.
         footprint: of the ego vehicle, in body axes.
-        poses: (k, 3) of the footprint's origin from the obstacle's centre, in world axes [m], and heading [rad].
+        poses: (n, 3) of the footprint's origin from the obstacle's centre at that time, in world axes [m], and psi.
         side: on which the obstacle is passed.
-
-    Returns:
-        normals (k, 2) in world axes, and the obstacle's support function (k,) [m].
     """
-    candidates = [_to_side(_radial(obstacle, footprint, poses), side)]
-    if isinstance(obstacle.shape, Rectangle):
-        faces = np.broadcast_to(_turned(AXES[:, np.newaxis], obstacle.heading), (4, len(poses), 2))
-        candidates += [_to_side(face, side) for face in faces]
-    if isinstance(footprint, Rectangle):
-        candidates += [_to_side(_turned(axis, poses[:, 2]), side) for axis in AXES]
-    reaches = [obstacle.shape.support(_turned(n, -obstacle.heading)) for n in candidates]
-    if len(candidates) == 1:
-        return candidates[0], reaches[0]
-    gaps = [
-        np.einsum("ij,ij->i", n, poses[:, :2]) - reach - footprint_reach(footprint, n, poses[:, 2])[0]
-        for n, reach in zip(candidates, reaches, strict=True)
-    ]
-    best, each = np.argmax(gaps, axis=0), np.arange(len(poses))
-    return np.stack(candidates)[best, each], np.stack(reaches)[best, each]
+    if isinstance(obstacle.shape, Ellipse) and isinstance(footprint, Point):
+        return _tangents(obstacle.heading, np.asarray(obstacle.shape.semi_axes), poses, side)
+    return _shared(obstacle, footprint, poses, side)
 
 
 def footprint_reach(footprint: Footprint, normals: Array, headings: Array) -> tuple[Array, Array]:
@@ -58,23 +66,62 @@ def footprint_reach(footprint: Footprint, normals: Array, headings: Array) -> tu
         nothing = np.zeros(len(normals))
         return nothing, nothing
     towards = _turned(-normals, -headings)  # -n in body axes; it turns by -1 rad for each rad of psi
-    centre, half = np.asarray(footprint.centre), np.array([footprint.length, footprint.width]) / 2
-    corner = centre + np.sign(towards) * half
+    half = np.array([footprint.length, footprint.width]) / 2
+    corner = footprint.centre + np.sign(towards) * half
     turning = corner[:, 0] * towards[:, 1] - corner[:, 1] * towards[:, 0]
     return footprint.support(towards), turning
 
 
-def _radial(obstacle: Obstacle, footprint: Footprint, poses: Array) -> Array:
-    """Normal of the scaled circle at each pose: exact for an ellipse and a point, a fair guess for boxes."""
+def _tangents(heading: float, semi_axes: Array, poses: Array, side: Side) -> Planes:
+    """One tangent for each pose but the first."""
+    scaled = _turned(poses[:, :2], -heading) / semi_axes
+    distance = np.hypot(scaled[:, 0], scaled[:, 1])
+    cosine = (scaled[1:] * scaled[:-1]).sum(axis=1) / np.maximum(distance[1:] * distance[:-1], SMALLEST)
+    narrowest = np.maximum(cosine, COSINE_OF_CHORD)
+    narrowest[:-1] = np.minimum(narrowest[:-1], narrowest[1:])
+    blown_up = np.sqrt(2 / (1 + narrowest))  # 1 / cos(phi / 2)
+    outwards = scaled[1:] / semi_axes
+    length = np.hypot(outwards[:, 0], outwards[:, 1])
+    centred = length == 0
+    outwards[centred], length[centred] = AXES[2], 1.0
+    normal = _to_side(_turned(outwards / length[:, np.newaxis], heading), side)
+    across = _turned(normal, -heading) * semi_axes
+    reach = np.hypot(across[:, 0], across[:, 1])
+    return Planes(np.arange(1, len(poses)), normal, reach * blown_up)
+
+
+def _shared(obstacle: Obstacle, footprint: Footprint, poses: Array, side: Side) -> Planes:
+    """One line for each pair of neighbours, as two half-planes: for its later pose, and for its earlier one."""
+    normals = _candidates(obstacle, footprint, (poses[:-1] + poses[1:]) / 2, side)
+    reaches = [obstacle.shape.support(_turned(n, -obstacle.heading)) for n in normals]
+    gaps = [_smaller_gap(footprint, n, reach, poses) for n, reach in zip(normals, reaches, strict=True)]
+    best, pair = np.argmax(gaps, axis=0), np.arange(len(poses) - 1)
+    normal, reach = np.stack(normals)[best, pair], np.stack(reaches)[best, pair]
+    return Planes(np.append(pair + 1, pair[1:]), np.concatenate([normal, normal[1:]]), np.append(reach, reach[1:]))
+
+
+def _smaller_gap(footprint: Footprint, normals: Array, reach: Array, poses: Array) -> Array:
+    """The smaller gap of each pair of neighbours (n - 1,) [m]."""
+    gaps = [
+        np.einsum("ij,ij->i", normals, end[:, :2]) - reach - footprint_reach(footprint, normals, end[:, 2])[0]
+        for end in (poses[:-1], poses[1:])
+    ]
+    return np.asarray(np.minimum(*gaps))
+
+
+def _candidates(obstacle: Obstacle, footprint: Footprint, poses: Array, side: Side) -> list[Array]:
+    """Normals (n, 2) worth trying at each pose: away from the obstacle's centre, and those of all faces."""
     extent = obstacle.shape.support(AXES[:2])
     if isinstance(footprint, Rectangle):
         extent = extent + footprint.width / 2
-    normal = _turned(poses[:, :2], -obstacle.heading) / extent**2
-    length = np.hypot(normal[:, 0], normal[:, 1])
-    at_centre = length == 0
-    if at_centre.any():
-        normal[at_centre], length[at_centre] = AXES[2], 1.0
-    return _turned(normal / length[:, np.newaxis], obstacle.heading)
+    away = _turned(poses[:, :2], -obstacle.heading) / extent**2
+    away[~away.any(axis=1)] = AXES[2]
+    candidates = [_turned(away / np.hypot(away[:, 0], away[:, 1])[:, np.newaxis], obstacle.heading)]
+    if isinstance(obstacle.shape, Rectangle):
+        candidates += [np.broadcast_to(_turned(axis, obstacle.heading), (len(poses), 2)) for axis in AXES]
+    if isinstance(footprint, Rectangle):
+        candidates += [_turned(axis, poses[:, 2]) for axis in AXES]
+    return [_to_side(each, side) for each in candidates]
 
 
 def _to_side(normals: Array, side: Side) -> Array:
@@ -89,6 +136,8 @@ def _to_side(normals: Array, side: Side) -> Array:
 
 def _turned(vectors: Array, angle: Array | float) -> Array:
     """Vectors (..., 2) turned anticlockwise by angles that broadcast with (...) [rad]."""
+    if isinstance(angle, float) and angle == 0:
+        return vectors
     as_complex = np.ascontiguousarray(vectors).view(np.complex128)[..., 0]
     turned = np.asarray(as_complex * np.exp(1j * np.asarray(angle)))
     return turned[..., np.newaxis].view(np.float64)

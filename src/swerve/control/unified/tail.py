@@ -40,24 +40,27 @@ class Tail:
 
     def poses(self, end: Array, side: Side) -> Array:
         """X, Y, psi (n_tail, 3) that follow the state (6,) at the horizon's end."""
-        velocity = _turn(end[PSI]) @ end[[VX, VY]]
+        forwards, leftwards = _velocity(end)
         poses = np.empty((len(self.times), 3))
-        poses[:, :2] = end[[X, Y]] + self.times[:, np.newaxis] * velocity
-        poses[:, 1] += side.value * self.acceleration / 2 * self.times**2
+        poses[:, 0] = end[X] + self.times * forwards
+        poses[:, 1] = end[Y] + self.times * (leftwards + side.value * self.acceleration / 2 * self.times)
         poses[:, 2] = end[PSI]
         return poses
 
     def sensitivities(self, end: Array, of_end: Array) -> Array:
         """Their derivatives (n_tail, 3, n), from those of the state at the horizon's end, (6, n)."""
-        turn = _turn(end[PSI])
-        ahead = turn @ end[[VX, VY]]
-        of_velocity = turn @ of_end[[VX, VY]] + np.outer((-ahead[1], ahead[0]), of_end[PSI])
-        moved = of_end[[X, Y, PSI]][np.newaxis].repeat(len(self.times), axis=0)
-        moved[:, :2] += self.times[:, np.newaxis, np.newaxis] * of_velocity
+        forwards, leftwards = _velocity(end)
+        cos, sin = np.cos(end[PSI]), np.sin(end[PSI])
+        of_forwards = cos * of_end[VX] - sin * of_end[VY] - leftwards * of_end[PSI]
+        of_leftwards = sin * of_end[VX] + cos * of_end[VY] + forwards * of_end[PSI]
+        moved = np.empty((len(self.times), 3, of_end.shape[1]))
+        moved[:, 0] = of_end[X] + np.outer(self.times, of_forwards)
+        moved[:, 1] = of_end[Y] + np.outer(self.times, of_leftwards)
+        moved[:, 2] = of_end[PSI]
         return moved
 
 
-def _turn(angle: float) -> Array:
-    """Body axes to world axes."""
-    cos, sin = np.cos(angle), np.sin(angle)
-    return np.array([[cos, -sin], [sin, cos]])
+def _velocity(state: Array) -> tuple[float, float]:
+    """Velocity along X and Y [m/s]."""
+    cos, sin = np.cos(state[PSI]), np.sin(state[PSI])
+    return cos * state[VX] - sin * state[VY], sin * state[VX] + cos * state[VY]

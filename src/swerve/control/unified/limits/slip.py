@@ -14,6 +14,9 @@ from swerve.control.unified.limits.limit import Penalty, Rows
 from swerve.control.unified.prediction import Trajectory
 
 
+REACH = 0.1  # [rad] a limit further away than this is left out of the rows; acceptance sees it all the same
+
+
 @dataclass(frozen=True)
 class SlipLimit:
     """The limit for both axles.
@@ -32,7 +35,8 @@ class SlipLimit:
         return max(0.0, float(largest) - self.limit)
 
     def rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
-        """Two rows a sample."""
+        """At most two rows a sample, each with the sides that are in reach."""
         slip = np.concatenate([trajectory.front_slip, trajectory.rear_slip])
-        matrix = np.vstack([sensitivities.front_slip, sensitivities.rear_slip])
-        return Rows(matrix, -self.limit - slip, self.limit - slip)
+        matrix = np.concatenate([sensitivities.front_slip, sensitivities.rear_slip])
+        lower, upper = -self.limit - slip, self.limit - slip
+        return Rows(matrix, np.where(lower > -REACH, lower, -np.inf), np.where(upper < REACH, upper, np.inf))

@@ -3,6 +3,8 @@
     sum_{j=0..Nc-1} || u(k+j) - u(k+j-1) ||_R^2,   u(k-1) being the input that acts now
 """
 
+from dataclasses import dataclass, replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,25 +16,46 @@ from swerve.conventions import N_INPUTS
 Array = NDArray[np.float64]
 
 
+@dataclass(frozen=True, eq=False)
 class InputRate:
-    """The term for the diagonal of R and the input before the plan."""
+    """The term for the diagonal of R and the input before the plan.
 
-    def __init__(self, weights: Array, previous: Array, blocking: Blocking) -> None:
-        """R's diagonal (5,) [1/rad^2, 1/N^2 x 4] and the input that acts now (5,)."""
-        self._weights, self._previous, self._blocking = weights, previous, blocking
+    Attributes:
+        weights: (5,) diagonal of R [1/rad^2, 1/N^2 x 4].
+        blocking: of the free inputs.
+        hessian: (n, n), the same for all trajectories.
+        previous: (5,) input that acts now.
+    """
+
+    weights: Array
+    blocking: Blocking
+    hessian: Array
+    previous: Array
+
+    @classmethod
+    def of(cls, weights: Array, blocking: Blocking) -> "InputRate":
+        """The term before the first step, when nothing acts."""
         step = np.eye(blocking.n) - np.eye(blocking.n, k=-N_INPUTS)  # D of dU = D U - (u(k-1), 0, ...)
         R = np.tile(weights * INPUT_SCALE**2, blocking.n_blocks)
-        self._hessian = 2 * step.T @ (R[:, np.newaxis] * step)
+        return cls(weights, blocking, 2 * step.T @ (R[:, np.newaxis] * step), np.zeros(N_INPUTS))
+
+    def after(self, previous: Array) -> "InputRate":
+        """The same term for another input (5,) before the plan."""
+        return replace(self, previous=previous)
 
     def value(self, trajectory: Trajectory) -> float:
         """The sum above [1]."""
-        return float(np.sum(self._weights * self._changes(trajectory) ** 2))
+        return float((self.weights * self._changes(trajectory) ** 2).sum())
 
     def quadratic(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Quadratic:
-        """Its exact model: it is quadratic, with a Hessian that is the same for all trajectories."""
-        pulled = 2 * self._weights * INPUT_SCALE * self._changes(trajectory)
+        """Its exact model: it is quadratic."""
+        pulled = 2 * self.weights * INPUT_SCALE * self._changes(trajectory)
         pulled[:-1] -= pulled[1:]  # D' dU
-        return Quadratic(self._hessian, pulled.ravel())
+        return Quadratic(self.hessian, pulled.ravel())
 
     def _changes(self, trajectory: Trajectory) -> Array:
-        return np.diff(self._blocking.free(trajectory.inputs), axis=0, prepend=self._previous[np.newaxis])
+        inputs = self.blocking.free(trajectory.inputs)
+        changes = inputs.copy()
+        changes[0] -= self.previous
+        changes[1:] -= inputs[:-1]
+        return changes

@@ -1,0 +1,94 @@
+"""What all figures have in common: size, type, lines, the caption, and how they are saved.
+
+The colours are of Okabe and Ito's palette, which colour-blind readers tell apart; lines differ in style or width as
+well, so that they are told apart in grey print.
+"""
+
+from pathlib import Path
+from typing import Any, Final
+
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+
+from swerve import __version__
+from swerve.errors import one_line
+from swerve.simulate import Result, Run
+
+WIDTH: Final = 7.0  # of a figure: a page's text width [inch]
+CAPTION_HEIGHT: Final = 0.25  # at the foot of a figure [inch]
+RESOLUTION: Final = 200  # of PNG files [1/inch]
+LONGEST_NAME: Final = 40  # characters of a scenario's name in a caption
+
+BLACK: Final = "#000000"
+GREY: Final = "#707070"
+BLUE: Final = "#0072B2"
+SKY: Final = "#56B4E9"
+ORANGE: Final = "#D55E00"
+
+COMMANDED: Final[dict[str, Any]] = {"color": SKY, "linewidth": 2.6}
+ACTING: Final[dict[str, Any]] = {"color": BLACK, "linewidth": 1.0}
+LIMIT: Final[dict[str, Any]] = {"color": ORANGE, "linestyle": ":", "linewidth": 1.2}
+GOAL: Final[dict[str, Any]] = {"color": GREY, "linestyle": "--", "linewidth": 1.0}
+
+STYLE: Final[dict[str, Any]] = {
+    "font.family": "DejaVu Sans",  # comes with matplotlib: the same file on every machine
+    "font.size": 8.0,
+    "axes.labelsize": 8.0,
+    "axes.linewidth": 0.6,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.xmargin": 0.0,
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.5,
+    "xtick.labelsize": 7.5,
+    "ytick.labelsize": 7.5,
+    "lines.linewidth": 1.2,
+    "legend.fontsize": 7.5,
+    "legend.frameon": False,
+    "hatch.linewidth": 0.5,
+    "pdf.fonttype": 42,  # TrueType, which publishers take and editors can edit
+}
+
+styled = rc_context(STYLE)  # decorates what draws
+
+
+def new_figure(run: Run, height: float) -> Figure:
+    """An empty figure with the caption at its foot, and a layout engine that leaves room for it; height in inch."""
+    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    engine = figure.get_layout_engine()
+    assert engine is not None
+    room = CAPTION_HEIGHT / height
+    engine.set(rect=(0.0, room, 1.0, 1.0 - room))
+    put_caption(figure, run)
+    return figure
+
+
+def put_caption(figure: Figure, run: Run) -> None:
+    """What was run and the verdict, at the foot of the figure."""
+    figure.text(0.01, 0.06 / figure.get_figheight(), caption(run), color=GREY, fontsize=7.0, parse_math=False)
+
+
+def caption(run: Run) -> str:
+    """Scenario, controller, plant and verdict."""
+    result = run.result
+    # beyond Latin-1 a name may have letters that the font does not
+    name = one_line(result.scenario, LONGEST_NAME).encode("latin-1", "replace").decode("latin-1")
+    who = f"{name}: {result.controller} on {result.plant}, seed {result.seed}, swerve {__version__}"
+    return f"{who}. {result.outcome.value.replace('_', ' ').capitalize()}{_how_near(result)}."
+
+
+def _how_near(result: Result) -> str:
+    values = result.to_json()  # where a number that is not finite is None
+    if values["min_distance_ratio"] is not None:
+        return f", smallest √ρ {result.min_distance_ratio:.3f} (1 is contact)"
+    return "" if values["min_clearance"] is None else f", smallest clearance {result.min_clearance:.2f} m"
+
+
+@styled
+def save(figure: Figure, directory: Path, name: str) -> None:
+    """Write a figure as PNG and PDF; the same figure gives the same bytes."""
+    creator = f"swerve {__version__}"
+    figure.savefig(directory / f"{name}.png", dpi=RESOLUTION, metadata={"Software": creator})
+    figure.savefig(directory / f"{name}.pdf", metadata={"Creator": creator, "CreationDate": None})

@@ -1,0 +1,62 @@
+"""What commands print: the result of a run as JSON and as a table, and the ablation."""
+
+import json
+from collections.abc import Mapping
+from math import degrees
+
+from swerve.simulate import Result
+from swerve.study.ablation import Ablation
+
+
+def result_json(result: Result) -> str:
+    """The result as one JSON object on one line."""
+    return json.dumps(result.to_json(), allow_nan=False)
+
+
+def result_table(result: Result) -> str:
+    """The result for people: a row each for what was decided, how near it came and what it took."""
+    values = result.to_json()  # where a number that is not finite is None
+    offset, speed, step_time = values["lateral_offset"], values["speed"], values["step_time"]
+    rows = {
+        "scenario": f"{result.scenario}, {result.controller} on {result.plant}, seed {result.seed}",
+        "outcome": f"{result.outcome.value}: {result.outcome.sentence}",
+        "decision": result.decision,
+        "distance ratio": f"{_number(values['min_distance_ratio'], digits=3)} at the least (1 is contact)",
+        "clearance": f"{_number(values['min_clearance'], 'm', digits=3)} at the least",
+        "lateral offset": f"{_range(offset, 'm')}, {_number(offset['final'], 'm')} at the end",
+        "speed": f"{_range(speed, 'm/s')} ({_range(speed, 'km/h', 3.6)})",
+        "sideslip": f"{_number(values['max_sideslip'], 'deg', degrees(1))} at the most",
+        "steps": f"{result.steps}: {result.fallback_steps} fallback, {result.solver_failures} solver failures",
+        "step time": f"{_number(step_time['median'], 'ms', 1e3)} median, {_number(step_time['p99'], 'ms', 1e3)} p99",
+    }
+    return "\n".join(f"{name:<16}{text}" for name, text in rows.items())
+
+
+def ablation_table(ablation: Ablation) -> str:
+    """The ablation, a line for each variant, with a group of columns for each scene."""
+    width = max(len(row.variant.name) for row in ablation.rows)
+    groups = [" " * width, *(f"{scene.name:<31}" for scene in ablation.scenes)]
+    columns = [" " * width, *["outcome    ratio   steer  failed"] * len(ablation.scenes)]
+    lines = [groups, columns]
+    lines += [[f"{row.variant.name:<{width}}", *map(_ablation_cells, row.results)] for row in ablation.rows]
+    legend = (
+        "ratio: smallest sqrt(rho), 1 is contact; steer: largest steering angle;",
+        "failed: steps that were answered by the fallback / programs without a solution",
+    )
+    return "\n".join([*("   ".join(line).rstrip() for line in lines), "", *legend])
+
+
+def _ablation_cells(result: Result) -> str:
+    values = result.to_json()
+    ratio = _number(values["min_distance_ratio"], digits=3)
+    steer = _number(values["max_steer"], "deg", degrees(1), digits=1)
+    failed = f"{result.fallback_steps}/{result.solver_failures}"
+    return f"{result.outcome.value:<9}{ratio:>7}{steer:>9}{failed:>7}"
+
+
+def _number(value: float | None, unit: str = "", factor: float = 1.0, digits: int = 2) -> str:
+    return "none" if value is None else f"{value * factor:.{digits}f} {unit}".strip()
+
+
+def _range(values: Mapping[str, float | None], unit: str, factor: float = 1.0) -> str:
+    return f"{_number(values['min'], factor=factor)} to {_number(values['max'], unit, factor)}"
