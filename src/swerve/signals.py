@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from swerve.conventions import DELTA, FORCES, N_INPUTS
 from swerve.world import Obstacle, Shape
 
-
 Array = NDArray[np.float64]
 
 

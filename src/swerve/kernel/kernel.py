@@ -4,6 +4,8 @@ Binding arguments at every call costs about 100 us, more than most kernels take 
 of a few numbers in and out.
 """
 
+from typing import Any
+
 import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,13 +29,14 @@ class Kernel:
         library = compiled(function)
         self.is_compiled = library is not None
         self._function = function if library is None else ca.external(function.name(), str(library))
+        self._buffer: Any  # its stub asks for a size, which a memoryview has
         self._buffer, self._evaluate = self._function.buffer()
         self._inputs = [_dense(self._function.size_in(i)) for i in range(self._function.n_in())]
         self._outputs = [_dense(self._function.size_out(i)) for i in range(self._function.n_out())]
         for i, array in enumerate(self._inputs):
-            self._buffer.set_arg(i, memoryview(array.reshape(-1, order="A")))
+            self._buffer.set_arg(i, _bytes(array))
         for i, array in enumerate(self._outputs):
-            self._buffer.set_res(i, memoryview(array.reshape(-1, order="A")))
+            self._buffer.set_res(i, _bytes(array))
 
     def __call__(self, *arguments: ArrayLike) -> tuple[NDArray[np.float64], ...]:
         """Outputs for these inputs, each of the function's own shape; a column vector is (n,)."""
@@ -41,6 +44,11 @@ class Kernel:
             buffer[...] = argument
         self._evaluate()
         return tuple(output.copy(order="K") for output in self._outputs)
+
+
+def _bytes(array: NDArray[np.float64]) -> Any:
+    """The memory of a buffer, in its own order."""
+    return array.reshape(-1, order="A").data
 
 
 def _dense(shape: tuple[int, int]) -> NDArray[np.float64]:

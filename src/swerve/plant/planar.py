@@ -20,7 +20,7 @@ from swerve.vehicle.two_track import Parameters, quasi_static_loads, symbols, tw
 
 Array = NDArray[np.float64]
 
-STEERING = N_STATES  # place of the steering angle behind xi in the kernel's state
+N_OUTPUTS = 19  # of a step: steering, ax, ay, and for each wheel load, slip angle, Fx, Fy
 
 
 class PlanarPlant(Plant):
@@ -42,8 +42,9 @@ class PlanarPlant(Plant):
         start = np.append(state.vehicle, state.inner)
         p = self._parameters.as_array()
         end, states, outputs = self._advance(start, command.as_input(), p, self._actuator, self._step)
-        steering, acceleration, loads, slips, longitudinal, lateral = np.split(outputs.T, (1, 3, 7, 11, 15), axis=1)
-        trace = Trace(states.T, steering[:, 0], acceleration, loads, slips, longitudinal, lateral)
+        rows = outputs.reshape(N_OUTPUTS, -1).T  # a single step is a column, (19,), of its own
+        steering, acceleration, loads, slips, longitudinal, lateral = np.split(rows, (1, 3, 7, 11, 15), axis=1)
+        trace = Trace(states.reshape(N_STATES, -1).T, steering[:, 0], acceleration, loads, slips, longitudinal, lateral)
         return PlantState(end[:N_STATES], loads[-1], end[N_STATES:]), trace
 
 
@@ -70,4 +71,6 @@ def _step() -> ca.Function:
     now = two_track(xi, acting, loads, p)
     end = rk4(lambda x: ca.vertcat(*two_track(x, acting, loads, p).derivative), xi, h)
     outputs = ca.vertcat(reached, *now.acceleration, *loads, *now.slip_angles, *now.longitudinal, *now.lateral)
-    return ca.Function("step", [ca.vertcat(xi, steering), u, ca.vertcat(*p), actuator, h], [ca.vertcat(end, reached), outputs])
+    return ca.Function(
+        "step", [ca.vertcat(xi, steering), u, ca.vertcat(*p), actuator, h], [ca.vertcat(end, reached), outputs]
+    )

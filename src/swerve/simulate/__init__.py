@@ -6,4 +6,15 @@ from swerve.simulate.loop import Run, run
 from swerve.simulate.outcome import Outcome
 from swerve.simulate.result import Result
 
-__all__ = ["CONTROLLERS", "DEFAULT_CONTROLLER", "DEFAULT_PLANT", "PLANTS", "Log", "Outcome", "Result", "Run", "Table", "run"]
+__all__ = [
+    "CONTROLLERS",
+    "DEFAULT_CONTROLLER",
+    "DEFAULT_PLANT",
+    "PLANTS",
+    "Log",
+    "Outcome",
+    "Result",
+    "Run",
+    "Table",
+    "run",
+]

@@ -34,9 +34,7 @@ def _as_printed(scenario: Scenario) -> AsPrintedController:
 
 
 def _planar(scenario: Scenario) -> PlanarPlant:
-    return PlanarPlant(
-        scenario.ego.to_vehicle(), scenario.road.friction, scenario.plant.step, scenario.n_substeps
-    )
+    return PlanarPlant(scenario.ego.to_vehicle(), scenario.road.friction, scenario.plant.step, scenario.n_substeps)
 
 
 CONTROLLERS: Final[dict[str, Callable[[Scenario], Controller[Any]]]] = {"unified": _unified, "as-printed": _as_printed}

@@ -68,8 +68,8 @@ def run(
     step, sample_time = scenario.plant.step, scenario.controller.sample_time
     n_rows = sum(len(trace.states) for trace in traces)
     log = Log(
-        motion_table(np.arange(n_rows) * step, traces),
-        steps_table(np.arange(len(plans)) * sample_time, commands, plans, step_times),
+        motion_table(step * np.arange(float(n_rows)), traces),
+        steps_table(sample_time * np.arange(float(len(plans))), commands, plans, step_times),
     )
     wall_time = time.perf_counter() - started
     return Run(

@@ -122,6 +122,7 @@ def evaluate(
     contact = np.array([touches(each, footprint, poses, times) for each in obstacles]).reshape(-1, len(times))
     ratios = [ratio_to(each, footprint, poses, times) for each in obstacles]
     gaps = [clearance(footprint, poses, each, times) for each in obstacles]
+    grip = scenario.road.friction * vehicle.mass * GRAVITY
     speed = np.hypot(motion["vx"], motion["vy"])
     return Result(
         scenario=scenario.name,
@@ -129,11 +130,11 @@ def evaluate(
         plant=plant,
         seed=seed,
         version=swerve.__version__,
-        outcome=decide(states, contact.any(axis=0), poses, scenario.road.to_world(), footprint),
+        outcome=decide(states, np.any(contact, axis=0), poses, scenario.road.to_world(), footprint),
         min_distance_ratio=min((float(ratio.min()) for ratio in ratios if ratio is not None), default=None),
         min_clearance=min((float(gap.min()) for gap in gaps), default=None),
         impact_speed=_impact_speed(states, contact, np.array([each.velocity for each in obstacles])),
-        decision=decision(commands, plans, scenario.road.friction * vehicle.mass * GRAVITY, scenario.controller.sample_time),
+        decision=decision(commands, plans, grip, scenario.controller.sample_time),
         lateral_offset=Range.of(motion["Y"]),
         speed=Range.of(speed),
         final_yaw_rate=abs(float(motion["r"][-1])),

@@ -9,7 +9,7 @@ from swerve.vehicle.tyre import PASSENGER_215_55_R17, Tyre
 def _quantity(dimension: str, unit: str, *, sign: str = "positive", default: float | None = None) -> float:
     """A field that carries its dimension and unit; `sign` is 'positive' or 'not negative'."""
     metadata = {"dimension": dimension, "unit": unit, "sign": sign}
-    return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)  # type: ignore[return-value,no-any-return]
+    return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,7 +8,8 @@
 Written once: numbers give numbers, CasADi symbols give the expression that is differentiated, rolled out and compiled.
 Slip angles are those of the wheels' own velocities. Below a speed v0 the rolling speed under the arctangent is rounded
 off (v -> (v^2 + v0^2) / (2 v0)), which takes the singularity of eq. (1) at standstill away and changes nothing above.
-The model's fastest pole there is near 2 B C D mu g / v0 = 350 / v0 [1/s]; a Runge-Kutta step h needs h < 2.8 / that.
+The model's fastest pole there is near 365 / v0 [1/s] at friction 0.85, and proportional to it; a Runge-Kutta step h
+needs h < 2.8 / that.
 """
 
 from typing import Any, NamedTuple
@@ -22,8 +23,8 @@ from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.parameters import Vehicle
 from swerve.vehicle.tyre import lateral_force, longitudinal_force
 
-SLIP_SPEED_FLOOR = 0.5  # [m/s] v0 for steps up to 4 ms
-LOAD_PASSES = 2  # fixed-point passes from static loads to loads that fit the accelerations; the error falls by mu h / L each
+SLIP_SPEED_FLOOR = 0.5  # [m/s] v0 for steps up to 3.7 ms
+LOAD_PASSES = 2  # from static loads to loads that fit the accelerations; the error falls by mu h / L in each
 
 
 class Parameters(NamedTuple):
@@ -121,11 +122,11 @@ def two_track(xi: Any, u: Any, loads: Any, p: Parameters) -> Motion:
 
 
 def quasi_static_loads(xi: Any, u: Any, p: Parameters) -> tuple[Any, ...]:
-    """Loads FL FR RL RR [N] that fit the accelerations they cause (fixed point from the static ones), never negative."""
-    loads = wheel_loads(p)
+    """Loads FL FR RL RR [N], never negative, that fit the accelerations they cause: a fixed point."""
+    loads: tuple[Any, ...] = wheel_loads(p)
     for _ in range(LOAD_PASSES):
         loads = wheel_loads(p, *two_track(xi, u, loads, p).acceleration)
-        loads = tuple(ca.fmax(load, 0.0) for load in loads)  # type: ignore[assignment]
+        loads = tuple(ca.fmax(load, 0.0) for load in loads)
     return loads
 
 

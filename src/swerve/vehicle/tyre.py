@@ -12,7 +12,7 @@ from typing import Any
 
 import casadi as ca
 
-# The share of (mu Fz)^2 that the root of (4) keeps when a wheel force reaches the circle, so that derivatives stay finite.
+# The share of (mu Fz)^2 that the root of (4) keeps at the edge of the circle, so that derivatives stay finite.
 ROOT_FLOOR = 1e-6  # [1]
 
 

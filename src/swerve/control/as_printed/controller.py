@@ -85,7 +85,7 @@ class AsPrintedController(Controller[Memory]):
         largest = np.append(
             self._vehicle.steering_limit, self._vehicle.force_limit * self._friction * measurement.wheel_loads
         )
-        ahead = np.arange(1, self._horizon.prediction + 1) * self._horizon.sample_time
+        ahead = self._horizon.sample_time * np.arange(1.0, self._horizon.prediction + 1.0)
         rho, gradient = _linearised_rho(measurement, ahead)
         rows = obstacle_rows(free, W, rho, gradient)
         deviation = self._reference - measurement.state[list(OUTPUTS)]
@@ -132,8 +132,7 @@ def _semi_axes(seen: Observation) -> Array:
     """(a, b) of (5) [m]; a rectangle, which the paper does not know, is taken by the smallest ellipse round it."""
     if isinstance(seen.shape, Ellipse):
         return np.array(seen.shape.semi_axes)
-    reach = seen.shape.support(np.eye(2))
-    return np.sqrt(2) * reach
+    return np.asarray(np.sqrt(2) * seen.shape.support(np.eye(2)))
 
 
 def _side(states: Array) -> Side:

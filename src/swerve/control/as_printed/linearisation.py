@@ -46,7 +46,7 @@ def _printed_state_jacobian(xi: ca.SX) -> ca.SX:
 def _printed_input_jacobian(u: ca.SX, fz: list[ca.SX], p: Parameters, motion: Motion, *, with_mass: bool) -> ca.SX:
     """B_k of (8), b11 to b35."""
     cos, sin = ca.cos(u[0]), ca.sin(u[0])
-    fx_fl, fx_fr, fx_rl, fx_rr = (u[1 + i] for i in range(4))
+    fx_fl, fx_fr = u[1], u[2]
     fy_fl, fy_fr, _, _ = motion.lateral
     # M(alpha) Fx / sqrt((mu Fz)^2 - Fx^2) = -dFy/dFx of eq. (4)
     loss = [

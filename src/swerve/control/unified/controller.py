@@ -1,9 +1,9 @@
 """The unified controller: one optimisation decides and drives, side by side for left and right, the cheaper one taken.
 
-    minimise  sum_i |eta(k+i) - eta_ref|_Q^2 + sum_j |du(k+j)|_R^2 + w sum |Fx|^2 + penalties            (10)
-    with      the nonlinear two-track model (1), linearised along each side's shifted plan               (12), (13)
-    within    steering lock, wheel forces that leave room for the lateral demand                         (14)
-              half-planes between footprint and obstacles, slip angles below the tyre's peak             (15)
+minimise  sum_i |eta(k+i) - eta_ref|_Q^2 + sum_j |du(k+j)|_R^2 + w sum |Fx|^2 + penalties            (10)
+with      the nonlinear two-track model (1), linearised along each side's shifted plan               (12), (13)
+within    steering lock, wheel forces that leave room for the lateral demand                         (14)
+          half-planes between footprint and obstacles, slip angles below the tyre's peak             (15)
 """
 
 from dataclasses import replace

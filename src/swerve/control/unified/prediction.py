@@ -10,6 +10,7 @@ by automatic differentiation of the whole step: lateral forces, load and frictio
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -103,7 +104,7 @@ def _sample() -> ca.Function:
     wheel_loads = [loads[i] for i in range(4)]
     now = two_track(x, u, wheel_loads, p)
 
-    def derivative(state: ca.SX) -> ca.SX:
+    def derivative(state: ca.SX) -> Any:
         return ca.vertcat(*two_track(state, u, wheel_loads, p).derivative)
 
     mid = rk4(derivative, x, duration / 2)

@@ -1,8 +1,8 @@
 """The convex program of one iteration: all terms and limits, linearised about a trajectory, as one quadratic program.
 
-    minimise    sum of the terms' models + sum of penalties over slacks s
-    over        z (n,) scaled changes of the free inputs, one slack s >= 0 for each soft limit
-    subject to  bounds on z, hard rows, soft rows -s <= ... <= +s
+minimise    sum of the terms' models + sum of penalties over slacks s
+over        z (n,) scaled changes of the free inputs, one slack s >= 0 for each soft limit
+subject to  bounds on z, hard rows, soft rows -s <= ... <= +s
 """
 
 from collections.abc import Sequence

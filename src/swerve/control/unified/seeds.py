@@ -18,7 +18,9 @@ LENGTHS = (0.2, 0.4, 0.6, 0.8)  # [1] of the horizon that the pulse lasts
 UNDONE = 0.5  # [1] of the pulse, in the other direction, for the rest of the horizon
 
 
-def seeds(vehicle: Vehicle, friction: float, slip_limit: float, speed: float, side: Side, n_samples: int) -> list[Array]:
+def seeds(
+    vehicle: Vehicle, friction: float, slip_limit: float, speed: float, side: Side, n_samples: int
+) -> list[Array]:
     """Inputs (Np, 5) of each first guess at forward speed [m/s]: no wheel force, a steering pulse towards `side`."""
     guesses = []
     for share in SHARES:

@@ -1,14 +1,14 @@
 """Lines that separate the footprint from an obstacle, on a given side, so that nothing cuts between two poses.
 
 A point and an ellipse: one tangent a pose, where the ray from the centre leaves the ellipse (in the scaled plane in
-which the ellipse is the unit circle). Two points outside a circle of radius 1 / cos(phi / 2), seen from its centre under an
-angle phi, have a chord outside the unit circle: so far the ellipse is blown up.
+which the ellipse is the unit circle). Two points outside a circle of radius 1 / cos(phi / 2), seen from its centre
+under an angle phi, have a chord outside the unit circle: so far the ellipse is blown up.
 
 Rectangles: one line for each pair of neighbouring poses, both behind it, so that the straight motion between them is
 too. Of the normals of all faces that with the widest gap is taken: two convex polygons are apart exactly when one of
 their face normals separates them (separating axis theorem).
 
-A line for passing on the left never pushes to the right: n_Y >= 0 in world axes; at n_Y = 0 it says stay behind or ahead.
+A line for passing on the left never pushes to the right: n_Y >= 0 in world axes; n_Y = 0 says stay behind or ahead.
 """
 
 from typing import NamedTuple

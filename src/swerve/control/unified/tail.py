@@ -1,11 +1,11 @@
 """Beyond the horizon: a point mass that goes on swerving to its side.
 
-At 72 km/h the horizon of Table 3 ends after 20 m. A plan that sees no further meets the obstacle's near edge first, slows
-down a little to stop short of it, and finds out too late that there was only room to steer. So the path goes on:
+At 72 km/h the horizon of Table 3 ends after 20 m. A plan that sees no further meets the obstacle's near edge first,
+slows down a little to stop short of it, and finds out too late that there was only room to steer. So the path goes on:
 
     p(tau) = p_N + v_N tau + side (a / 2) tau^2 e_Y,    a = GRIP mu g
 
-It asks of the end of the plan what a friction circle can still mend, and no more; eq. (10) has no part in it.
+It asks of the end of the plan what a friction circle can still mend, and no more; the cost (10) does not see it.
 """
 
 from dataclasses import dataclass
@@ -36,7 +36,7 @@ class Tail:
     @classmethod
     def of(cls, friction: float, n_samples: int, sample_time: float) -> "Tail":
         """As many samples as the horizon has."""
-        return cls(np.arange(1, n_samples + 1) * sample_time, GRIP * friction * GRAVITY)
+        return cls(sample_time * np.arange(1.0, n_samples + 1.0), GRIP * friction * GRAVITY)
 
     def poses(self, end: Array, side: Side) -> Array:
         """X, Y, psi (n_tail, 3) that follow the state (6,) at the horizon's end."""

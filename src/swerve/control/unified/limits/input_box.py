@@ -1,8 +1,8 @@
 """Bounds on the inputs themselves, (14): steering lock, wheel forces, and the trust region of the linearisation.
 
 A wheel that corners has less to brake with. At Fx = 0 the friction ellipse is flat, dFy/dFx = 0, so a linear model
-takes wheel force for free and spends the grip that the turn needs. The force limit therefore leaves room for the lateral
-demand lambda = |M(alpha)| / D of the trajectory it is linearised about:
+takes wheel force for free and spends the grip that the turn needs. The force limit therefore leaves room for the
+lateral demand lambda = |M(alpha)| / D of the trajectory it is linearised about:
 
     |Fx| <= share mu Fz sqrt(1 - (RESERVE lambda)^2)
 """

@@ -44,7 +44,10 @@ class HardLimit(Protocol):
 class SoftLimit(Protocol):
     """A limit whose rows share one slack: the largest violation is what costs."""
 
-    penalty: Penalty
+    @property
+    @abstractmethod
+    def penalty(self) -> Penalty:
+        """Price of the slack."""
 
     @abstractmethod
     def violation(self, trajectory: Trajectory) -> float:

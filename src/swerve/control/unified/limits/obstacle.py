@@ -39,11 +39,16 @@ class ObstacleLimit:
         penalty: Penalty,
     ) -> None:
         """Times (2 Np + 1,) [s] are those of the trajectory's poses; the obstacle is where it was seen at time 0."""
-        self.penalty = penalty
+        self._penalty = penalty
         self._obstacle, self._footprint, self._side, self._margin = obstacle, footprint, side, margin
         self._tail = tail
         self._last: tuple[Trajectory, Gaps] | None = None
         self._centres = obstacle.position_at(np.concatenate([times, times[-1] + tail.times]))
+
+    @property
+    def penalty(self) -> Penalty:
+        """Price of the largest missing distance."""
+        return self._penalty
 
     def violation(self, trajectory: Trajectory) -> float:
         """Largest distance by which the margin, less what curvature may take, is missed [m]."""

@@ -13,7 +13,6 @@ from swerve.control.unified.condensing import Sensitivities
 from swerve.control.unified.limits.limit import Penalty, Rows
 from swerve.control.unified.prediction import Trajectory
 
-
 REACH = 0.1  # [rad] a limit further away than this is left out of the rows; acceptance sees it all the same
 
 

@@ -1,6 +1,6 @@
 """Change of the inputs from sample to sample: the second sum of (10).
 
-    sum_{j=0..Nc-1} || u(k+j) - u(k+j-1) ||_R^2,   u(k-1) being the input that acts now
+sum_{j=0..Nc-1} || u(k+j) - u(k+j-1) ||_R^2,   u(k-1) being the input that acts now
 """
 
 from dataclasses import dataclass, replace

@@ -1,6 +1,6 @@
 """Deviation of one state from its reference, at the end of every sample: the first sum of (10).
 
-    w sum_{i=1..Np} (xi_j(k+i) - reference)^2
+w sum_{i=1..Np} (xi_j(k+i) - reference)^2
 """
 
 from dataclasses import dataclass

@@ -1,0 +1,95 @@
+"""What a top view shows: instants of the manoeuvre, and the stretch of road that they are drawn on."""
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swerve.report.figures.body import bodies
+from swerve.simulate import Run
+from swerve.world import Obstacle, Road, clearance
+
+Array = NDArray[np.float64]
+
+EVERY: Final = 0.25  # between two instants [s]
+LONGEST: Final = 200.0  # stretch of road; of a longer run, the one round the closest approach [m]
+MARGIN: Final = 0.6  # round all that is drawn [m]
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """The finite part of a run, as it is drawn.
+
+    Attributes:
+        times: of the instants (n,) [s].
+        poses: of the vehicle at the instants (n, 3) [m, m, rad].
+        steering: at the instants (n,) [rad].
+        path: of the centre of gravity, at each step of the plant (m, 2) [m].
+        obstacles: of the scenario.
+        closest: row of `path` that is nearest to an obstacle, the first one in contact; None without obstacles.
+        x: the stretch that is drawn [m].
+        y: its lower and upper end [m].
+    """
+
+    times: Array
+    poses: Array
+    steering: Array
+    path: Array
+    obstacles: tuple[Obstacle, ...]
+    closest: int | None
+    x: tuple[float, float]
+    y: tuple[float, float]
+
+
+def view_of(run: Run) -> View:
+    """Choose what is drawn of a run."""
+    motion = run.log.motion
+    rows = motion.stack("time", "X", "Y", "psi", "delta")
+    rows = rows[np.isfinite(rows).all(axis=1)]  # a run that diverged ends in others
+    obstacles = tuple(obstacle.to_world() for obstacle in run.scenario.obstacles)
+    instants = rows[_every(rows[:, 0])]
+    poses, closest = instants[:, 1:4], _closest(run, rows, obstacles)
+    outlines = [bodies(run.scenario.ego.to_vehicle(), poses).reshape(-1, 2), rows[:, 1:3]]
+    outlines += [outline(obstacle, instants[:, 0]).reshape(-1, 2) for obstacle in obstacles]
+    points = np.concatenate(outlines)
+    x = _stretch(points[:, 0], rows[0 if closest is None else closest, 1])
+    y = _across(points[(points[:, 0] >= x[0]) & (points[:, 0] <= x[1]), 1], run.scenario.road.to_world())
+    return View(instants[:, 0], poses, instants[:, 4], rows[:, 1:3], obstacles, closest, x, y)
+
+
+def outline(obstacle: Obstacle, times: Array) -> Array:
+    """The obstacle's outline at each of the times (n,) [s]: (n, k, 2) [m]."""
+    cos, sin = np.cos(obstacle.heading), np.sin(obstacle.heading)
+    turned = obstacle.shape.outline() @ np.array([[cos, sin], [-sin, cos]])
+    placed: Array = obstacle.position_at(times)[:, np.newaxis] + turned
+    return placed
+
+
+def _every(times: Array) -> NDArray[np.intp]:
+    """The rows nearest to every quarter of a second."""
+    wanted = np.arange(0.0, times[-1] + EVERY / 2, EVERY)
+    after = np.clip(np.searchsorted(times, wanted - 1e-9), 0, len(times) - 1)
+    return np.unique(after)
+
+
+def _closest(run: Run, rows: Array, obstacles: tuple[Obstacle, ...]) -> int | None:
+    footprint = run.scenario.ego.to_footprint()
+    gaps = [clearance(footprint, rows[:, 1:4], obstacle, rows[:, 0]) for obstacle in obstacles]
+    return int(np.argmin(np.min(gaps, axis=0))) if gaps else None
+
+
+def _stretch(x: Array, middle: float) -> tuple[float, float]:
+    """All of x (n,) [m], or as much of it round the middle as is drawn."""
+    low, high = float(x.min()) - MARGIN, float(x.max()) + MARGIN
+    if high - low <= LONGEST:
+        return low, high
+    start = float(np.clip(middle - LONGEST / 2, low, high - LONGEST))
+    return start, start + LONGEST
+
+
+def _across(y: Array, road: Road) -> tuple[float, float]:
+    """All of y (n,) and the road's edges [m]."""
+    edges = [edge for edge in (road.left_edge, road.right_edge) if edge is not None]
+    reached = [*y, *edges]
+    return float(min(reached)) - MARGIN, float(max(reached)) + MARGIN
