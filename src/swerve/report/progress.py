@@ -1,6 +1,7 @@
 """How much of the work is done, on a terminal's line or in a log's lines."""
 
 import time
+from collections.abc import Callable
 from types import TracebackType
 from typing import Final, Self, TextIO
 
@@ -32,6 +33,10 @@ class Progress:
             self._stream.write(f"swerve: {share:.0%} done\n")
             self._next = now + LINE_EVERY
         self._stream.flush()
+
+    def part(self, start: float, end: float) -> Callable[[float], None]:
+        """What a part of the work calls with its own share, which is that of the whole from `start` to `end`."""
+        return lambda share: self(start + share * (end - start))
 
     def __enter__(self) -> Self:
         return self

@@ -1,4 +1,4 @@
-"""Tables of a run as Parquet: every column with its unit, and in the file's metadata all that is needed to run it again."""
+"""Tables of a run as Parquet: every column with its unit, and in the metadata all that is needed to run it again."""
 
 from pathlib import Path
 from typing import Final

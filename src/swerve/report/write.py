@@ -4,6 +4,8 @@ What draws and what writes Parquet is imported where it is used: it takes longer
 runs write nothing.
 """
 
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 
 from swerve.report.ablation import as_csv, as_json, as_markdown
@@ -12,13 +14,17 @@ from swerve.report.terminal import result_json
 from swerve.simulate import Run
 from swerve.study.reproduce import Reproduction
 
+Progress = Callable[[float], None]  # takes the share that is done, from 0 to 1
+Write = Callable[[Path], None]  # writes the file of this path
 
-def write_run(run: Run, directory: Path) -> list[Path]:
+
+def write_run(run: Run, directory: Path, progress: Progress = lambda share: None) -> list[Path]:
     """Write a run: result.json, scenario.toml, its log as Parquet, its figures as PNG and PDF.
 
     Args:
         run: that is over.
         directory: is made where it does not exist; files of an earlier run in it are replaced.
+        progress: called with the share that is done [1].
 
     Returns:
         The files.
@@ -26,26 +32,28 @@ def write_run(run: Run, directory: Path) -> list[Path]:
     Raises:
         OSError: they cannot be written; then the directory is as it was.
     """
-    from swerve.report.figures import FIGURES, save
+    from swerve.report.figures import FIGURES, writers
     from swerve.report.tables import write_table
 
-    with filled(directory) as partial:
-        (partial / "result.json").write_text(result_json(run.result) + "\n", encoding="utf-8")
-        (partial / "scenario.toml").write_text(run.scenario.to_toml(), encoding="utf-8")
-        write_table(run.log.motion, run, partial / "motion.parquet")
-        write_table(run.log.steps, run, partial / "steps.parquet")
-        for name, draw in FIGURES.items():
-            save(draw(run), partial, name)
-        names = sorted(path.name for path in partial.iterdir())
-    return [directory / name for name in names]
+    files: dict[str, Write] = {
+        "result.json": partial(_write_text, result_json(run.result) + "\n"),
+        "scenario.toml": partial(_write_text, run.scenario.to_toml()),
+        "motion.parquet": lambda path: write_table(run.log.motion, run, path),
+        "steps.parquet": lambda path: write_table(run.log.steps, run, path),
+        **writers(FIGURES, run),
+    }
+    return _write_all(files, directory, progress)
 
 
-def write_reproduction(reproduction: Reproduction, directory: Path) -> list[Path]:
+def write_reproduction(
+    reproduction: Reproduction, directory: Path, progress: Progress = lambda share: None
+) -> list[Path]:
     """Write a reproduction: Fig. 7 to 10 of the paper as PNG and PDF, the ablation as Markdown, CSV and JSON.
 
     Args:
         reproduction: of the paper.
         directory: as for `write_run`.
+        progress: as for `write_run`.
 
     Returns:
         The files.
@@ -53,12 +61,26 @@ def write_reproduction(reproduction: Reproduction, directory: Path) -> list[Path
     Raises:
         OSError: as for `write_run`.
     """
-    from swerve.report.figures import PAPER_FIGURES, save
+    from swerve.report.figures import PAPER_FIGURES, writers
 
-    with filled(directory) as partial:
-        for name, draw in PAPER_FIGURES.items():
-            save(draw(reproduction.paper), partial, name)
-        for suffix, text in (("md", as_markdown), ("csv", as_csv), ("json", as_json)):
-            (partial / f"ablation.{suffix}").write_text(text(reproduction.ablation), encoding="utf-8", newline="\n")
-        names = sorted(path.name for path in partial.iterdir())
-    return [directory / name for name in names]
+    ablation = reproduction.ablation
+    files: dict[str, Write] = {
+        "ablation.md": partial(_write_text, as_markdown(ablation)),
+        "ablation.csv": partial(_write_text, as_csv(ablation)),
+        "ablation.json": partial(_write_text, as_json(ablation)),
+        **writers(PAPER_FIGURES, reproduction.paper),
+    }
+    return _write_all(files, directory, progress)
+
+
+def _write_all(files: Mapping[str, Write], directory: Path, progress: Progress) -> list[Path]:
+    """Write every file by its name, and none where one of them fails."""
+    with filled(directory) as place:
+        for i, (name, write) in enumerate(files.items(), start=1):
+            write(place / name)
+            progress(i / len(files))
+    return [directory / name for name in files]
+
+
+def _write_text(text: str, path: Path) -> None:
+    path.write_text(text, encoding="utf-8", newline="\n")

@@ -67,7 +67,7 @@ class Situation:
 
     def roll_out(self, inputs: Array) -> Step:
         """The step that inputs (Np, 5) make, clipped to what the actuators can do."""
-        trajectory = self.model.roll_out(self.start, self.program.box.clip(inputs), self.loads)
+        trajectory = self.model.roll_out(self.start, self.program.clip(inputs), self.loads)
         return Step(trajectory, self.program.score(trajectory))
 
     def missed_clearance(self, step: Step) -> float:

@@ -57,6 +57,13 @@ class Program:
     hard: Sequence[HardLimit]
     soft: Sequence[SoftLimit]
 
+    def clip(self, inputs: Array) -> Array:
+        """Inputs (Np, 5) within the box and the hard limits."""
+        clipped = self.box.clip(inputs)
+        for limit in self.hard:
+            clipped = limit.clip(clipped)
+        return clipped
+
     def score(self, trajectory: Trajectory) -> Score:
         """Cost and violations of a trajectory, without any linearisation; infinite where the model diverged."""
         if not trajectory.is_finite:

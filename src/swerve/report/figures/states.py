@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from swerve.report.figures.style import ACTING, GOAL, new_figure, styled
+from swerve.report.figures.style import ACTING, GOAL, new_figure, styled, widen
 from swerve.simulate import Run
 
 KM_H = 3.6  # [km/h] in 1 m/s
@@ -13,7 +13,7 @@ KM_H = 3.6  # [km/h] in 1 m/s
 def states(run: Run) -> Figure:
     """Longitudinal and lateral velocity, yaw rate, and Y over X, with the goals."""
     motion, goal = run.log.motion, run.scenario.goal
-    figure = new_figure(run, height=4.4)
+    figure = new_figure(run, height=4.6)
     (speed, lateral), (yaw_rate, path) = figure.subplots(2, 2)
     time = motion["time"]
     speed.plot(time, motion["vx"] * KM_H, **ACTING)
@@ -24,12 +24,14 @@ def states(run: Run) -> Figure:
     lateral.set_ylabel("lateral velocity $v_y$ [m/s]")
     yaw_rate.plot(time, np.degrees(motion["r"]), **ACTING)
     yaw_rate.set_ylabel("yaw rate $r$ [deg/s]")
-    for axes in (speed, lateral, yaw_rate):
-        axes.set_xlabel("time [s]")
     path.plot(motion["X"], motion["Y"], **ACTING)
     path.axhline(goal.lateral_offset, label="goal", **GOAL)
     path.set_xlabel("$X$ [m]")
     path.set_ylabel("$Y$ [m]")
     for axes in (speed, lateral, path):
         axes.legend(loc="best")
+    for axes in (speed, lateral, yaw_rate):
+        axes.set_xlabel("time [s]")
+    for axes, least in ((speed, 1.0), (lateral, 0.2), (yaw_rate, 2.0), (path, 1.0)):
+        widen(axes, least)
     return figure

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from swerve.report.figures.steps import mark_fallback, staircase
-from swerve.report.figures.style import ACTING, COMMANDED, new_figure, styled
+from swerve.report.figures.style import ACTING, COMMANDED, new_figure, styled, widen
 from swerve.simulate import Run
 
 
@@ -17,6 +17,7 @@ def steering(run: Run) -> Figure:
     staircase(axes, run, np.degrees(steps["delta"]), label="commanded", **COMMANDED)
     axes.plot(motion["time"], np.degrees(motion["delta"]), label="acting", **ACTING)
     mark_fallback(axes, run)
+    widen(axes, least=2.0)
     axes.set_xlabel("time [s]")
     axes.set_ylabel(r"road-wheel angle $\delta$ [deg]")
     figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=3)

@@ -10,10 +10,10 @@ from swerve.report.figures.style import CAPTION_HEIGHT, WIDTH
 
 LEFT: Final = 0.55  # of the axes, for the labels of Y [inch]
 RIGHT: Final = 0.15  # [inch]
-HEAD: Final = 0.45  # above the first strip, for the legend [inch]
+HEAD: Final = 0.38  # above the first strip, for the legend [inch]
 FOOT: Final = 0.40  # below the last strip, for the label of X, without the caption [inch]
 GAP: Final = 0.30  # between strips, for the labels of ticks [inch]
-TALLEST: Final = 6.0  # all strips and the gaps between them [inch]
+TALLEST: Final = 6.4  # all strips and the gaps between them [inch]
 MOST: Final = 5  # strips
 LARGEST_SCALE: Final = 0.35  # of the page to the world [inch/m]
 
@@ -53,7 +53,7 @@ def cut(x: tuple[float, float], y: tuple[float, float]) -> Strips:
 
     n = max(range(1, MOST + 1), key=scale)  # of equal ones the first, which has the fewest strips
     strip = width / scale(n)  # what fits in one [m]
-    start = (x[0] + x[1] - n * strip) / 2
+    start = x[0] if n > 1 else (x[0] + x[1] - strip) / 2  # room that is left over is at the end, or on both sides
     return Strips(tuple(start + i * strip for i in range(n + 1)), y, scale(n))
 
 

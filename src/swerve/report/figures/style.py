@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import Any, Final
 
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from swerve import __version__
 from swerve.errors import one_line
@@ -16,8 +18,10 @@ from swerve.simulate import Result, Run
 
 WIDTH: Final = 7.0  # of a figure: a page's text width [inch]
 CAPTION_HEIGHT: Final = 0.25  # at the foot of a figure [inch]
+PADDING: Final = 0.07  # round each of the axes [inch]
 RESOLUTION: Final = 200  # of PNG files [1/inch]
 LONGEST_NAME: Final = 40  # characters of a scenario's name in a caption
+SQRT_RHO: Final = "\N{SQUARE ROOT}\N{GREEK SMALL LETTER RHO}"
 
 BLACK: Final = "#000000"
 GREY: Final = "#707070"
@@ -30,7 +34,7 @@ ACTING: Final[dict[str, Any]] = {"color": BLACK, "linewidth": 1.0}
 LIMIT: Final[dict[str, Any]] = {"color": ORANGE, "linestyle": ":", "linewidth": 1.2}
 GOAL: Final[dict[str, Any]] = {"color": GREY, "linestyle": "--", "linewidth": 1.0}
 
-STYLE: Final[dict[str, Any]] = {
+STYLE: Final[Any] = {  # matplotlib's type for it lists all of its keys
     "font.family": "DejaVu Sans",  # comes with matplotlib: the same file on every machine
     "font.size": 8.0,
     "axes.labelsize": 8.0,
@@ -51,18 +55,28 @@ STYLE: Final[dict[str, Any]] = {
     "pdf.fonttype": 42,  # TrueType, which publishers take and editors can edit
 }
 
+METADATA: Final[dict[str, dict[str, Any]]] = {  # no dates
+    ".png": {"Software": f"swerve {__version__}"},
+    ".pdf": {"Creator": f"swerve {__version__}", "CreationDate": None},
+}
+
 styled = rc_context(STYLE)  # decorates what draws
 
 
 def new_figure(run: Run, height: float) -> Figure:
     """An empty figure with the caption at its foot, and a layout engine that leaves room for it; height in inch."""
-    figure = Figure(figsize=(WIDTH, height), layout="constrained")
-    engine = figure.get_layout_engine()
-    assert engine is not None
     room = CAPTION_HEIGHT / height
-    engine.set(rect=(0.0, room, 1.0, 1.0 - room))
+    engine = ConstrainedLayoutEngine(rect=(0.0, room, 1.0, 1.0 - room), w_pad=PADDING, h_pad=PADDING)
+    figure = Figure(figsize=(WIDTH, height), layout=engine)
     put_caption(figure, run)
     return figure
+
+
+def widen(axes: Axes, least: float) -> None:
+    """Let the y axis cover at least this much: a line that is flat but for rounding errors is to look flat."""
+    low, high = axes.get_ylim()
+    if high - low < least:
+        axes.set_ylim((low + high - least) / 2, (low + high + least) / 2)
 
 
 def put_caption(figure: Figure, run: Run) -> None:
@@ -75,20 +89,18 @@ def caption(run: Run) -> str:
     result = run.result
     # beyond Latin-1 a name may have letters that the font does not
     name = one_line(result.scenario, LONGEST_NAME).encode("latin-1", "replace").decode("latin-1")
-    who = f"{name}: {result.controller} on {result.plant}, seed {result.seed}, swerve {__version__}"
+    who = f"{name}: {result.controller} on {result.plant}, seed {result.seed}, swerve {result.version}"
     return f"{who}. {result.outcome.value.replace('_', ' ').capitalize()}{_how_near(result)}."
 
 
 def _how_near(result: Result) -> str:
     values = result.to_json()  # where a number that is not finite is None
     if values["min_distance_ratio"] is not None:
-        return f", smallest √ρ {result.min_distance_ratio:.3f} (1 is contact)"
+        return f", smallest {SQRT_RHO} {result.min_distance_ratio:.3f} (1 is contact)"
     return "" if values["min_clearance"] is None else f", smallest clearance {result.min_clearance:.2f} m"
 
 
 @styled
-def save(figure: Figure, directory: Path, name: str) -> None:
-    """Write a figure as PNG and PDF; the same figure gives the same bytes."""
-    creator = f"swerve {__version__}"
-    figure.savefig(directory / f"{name}.png", dpi=RESOLUTION, metadata={"Software": creator})
-    figure.savefig(directory / f"{name}.pdf", metadata={"Creator": creator, "CreationDate": None})
+def save(figure: Figure, path: Path) -> None:
+    """Write a figure to a .png or .pdf file; the same figure gives the same bytes."""
+    figure.savefig(path, dpi=RESOLUTION, metadata=METADATA[path.suffix])

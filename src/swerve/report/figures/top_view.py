@@ -4,27 +4,32 @@ The vehicle's body every quarter of a second, the path of its centre of gravity,
 the lanes where the road has any.
 """
 
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
 from swerve.report.figures.body import bodies, wheels
 from swerve.report.figures.strips import add_axes, cut
 from swerve.report.figures.style import BLACK, BLUE, GREY, ORANGE, WIDTH, put_caption, styled
-from swerve.report.figures.view import View, outline, view_of
+from swerve.report.figures.view import View, outline, view_of, within
 from swerve.simulate import Run
 from swerve.vehicle import Vehicle
 from swerve.world import Road
 
 Array = NDArray[np.float64]
 
-LABELLED: Final = 4  # one instant in so many
+LABELLED: Final = 4  # one instant in so many, which is a whole second: drawn in full, and labelled
 LABEL_ROOM: Final = 0.35  # between two labels [inch]
-POINT: Final = 1 / 72  # [inch]
+LABEL_OFFSET: Final = 5.5  # from what is labelled to the middle of the label [point]
+
+PALE_BLUE: Final = (0.0, 0.45, 0.70, 0.18)  # lets those below show
+PALE_ORANGE: Final = "#F6D5C3"
+PALE_GREY: Final = "#9A9A9A"
 
 
 @styled
@@ -38,7 +43,7 @@ def top_view(run: Run) -> Figure:
         _draw_road(axes, run.scenario.road.to_world())
         _draw_obstacles(axes, view)
         _draw_vehicle(axes, view, vehicle, is_point=run.scenario.ego.footprint == "point")
-        _label(axes, view, strips.scale, above=vehicle.width / 2)
+        _label_instants(axes, view, strips.scale, vehicle.width / 2)
     figure.legend(*panels[0].get_legend_handles_labels(), loc="upper center", ncols=4)
     put_caption(figure, run)
     return figure
@@ -47,59 +52,71 @@ def top_view(run: Run) -> Figure:
 def _draw_road(axes: Axes, road: Road) -> None:
     if road.lane_width is None:
         return
-    for k in range(-road.lanes_right - 1, road.lanes_left + 1):
-        is_edge = k in (-road.lanes_right - 1, road.lanes_left)
-        style = {"color": BLACK, "linewidth": 1.4} if is_edge else {"color": GREY, "linewidth": 0.8, "dashes": (8, 6)}
-        axes.axhline((k + 0.5) * road.lane_width, zorder=1, **style)
+    lines = [(k + 0.5) * road.lane_width for k in range(-road.lanes_right - 1, road.lanes_left + 1)]
+    for edge in (lines[0], lines[-1]):
+        axes.axhline(edge, color=BLACK, linewidth=1.4, zorder=1)
+    for between in lines[1:-1]:
+        axes.axhline(between, color=GREY, linewidth=0.8, dashes=(8, 6), zorder=1)
 
 
 def _draw_obstacles(axes: Axes, view: View) -> None:
-    for i, obstacle in enumerate(view.obstacles):
-        moves = any(obstacle.velocity)
-        times = view.times if moves else view.times[:1]
-        axes.add_collection(
-            PolyCollection(
-                outline(obstacle, times),
-                facecolors="none" if moves else "#F6D5C3",
-                edgecolors=ORANGE,
-                hatch=None if moves else "////",
-                linewidths=0.8,
-                zorder=2,
-                label="obstacle" if i == 0 else None,
-            ),
-            autolim=False,
-        )
+    label = "obstacle"
+    for obstacle in view.obstacles:
+        outlines = outline(obstacle, view.times if any(obstacle.velocity) else view.times[:1])
+        is_shown = within(outlines[..., 0], *view.x).any(axis=1)
+        is_full = is_shown & (np.arange(len(outlines)) % LABELLED == 0)
+        _add(axes, outlines[is_shown & ~is_full], facecolors="none", edgecolors=PALE_ORANGE, linewidths=0.6)
+        if is_full.any():
+            style = {"facecolors": PALE_ORANGE, "edgecolors": ORANGE, "hatch": "////", "linewidths": 0.8}
+            _add(axes, outlines[is_full], label=label, **style)
+            label = ""
 
 
 def _draw_vehicle(axes: Axes, view: View, vehicle: Vehicle, *, is_point: bool) -> None:
-    outlines = bodies(vehicle, view.poses)
-    axes.add_collection(
-        PolyCollection(
-            outlines, facecolors=(0, 0.45, 0.70, 0.10), edgecolors=BLUE, linewidths=0.7, zorder=3, label="body"
-        ),
-        autolim=False,
-    )
-    turned = wheels(vehicle, view.poses, view.steering)
-    axes.add_collection(PolyCollection(turned, facecolors=BLACK, linewidths=0, zorder=4), autolim=False)
-    footprint = " (the footprint)" if is_point else ""
-    axes.plot(*view.path.T, color=BLACK, linewidth=1.0, zorder=5, label=f"centre of gravity{footprint}")
+    is_full = np.arange(len(view.times)) % LABELLED == 0
+    brief = {"facecolors": "none", "edgecolors": BLUE, "linewidths": 0.5}
+    full = {"facecolors": PALE_BLUE, "edgecolors": BLUE, "linewidths": 0.9, "label": "vehicle"}
+    for rows, body_style, tyre_colour in ((~is_full, brief, PALE_GREY), (is_full, full, BLACK)):
+        _add(axes, bodies(vehicle, view.poses[rows]), **body_style)
+        _add(axes, wheels(vehicle, view.poses[rows], view.steering[rows]), facecolors=tyre_colour, linewidths=0)
+    judged = ", which must keep clear" if is_point else ""
+    axes.plot(*view.path.T, color=BLACK, linewidth=1.0, zorder=3, label=f"centre of gravity{judged}")
     if view.closest is not None:
         x, y = view.path[view.closest]
-        axes.plot([x], [y], "D", markersize=3.5, mfc="white", mec=BLACK, mew=0.9, zorder=6, ls="", label="closest")
+        axes.plot([x], [y], "D", mfc="white", mec=BLACK, markersize=3.5, zorder=4, label="closest to an obstacle")
 
 
-def _label(axes: Axes, view: View, scale: float, above: float) -> None:
-    """The time beside every whole second's vehicle, and in the obstacles that move, where there is room for it."""
-    style = {"ha": "center", "annotation_clip": True, "fontsize": 6.5, "zorder": 7}
+def _add(axes: Axes, polygons: Array, **style: Any) -> None:
+    """Add polygons (n, k, 2) [m] on top of those that are there."""
+    axes.add_collection(PolyCollection(list(polygons), zorder=2, **style), autolim=False)
+
+
+def _label_instants(axes: Axes, view: View, scale: float, half_width: float) -> None:
+    """The time left of the vehicle at every whole second, and below obstacles that move, where there is room for it."""
     last = np.full(2, np.inf)
     for time, pose in zip(view.times[::LABELLED], view.poses[::LABELLED], strict=True):
         if np.hypot(*(pose[:2] - last)) * scale < LABEL_ROOM:
             continue
-        last = pose[:2]
-        lift = above * scale / POINT + 2
-        axes.annotate(
-            f"{time:.0f} s", pose[:2], (0, lift), textcoords="offset points", va="bottom", color=BLUE, **style
-        )
+        last, left = pose[:2], np.array([-np.sin(pose[2]), np.cos(pose[2])])
+        _label(axes, time, last + half_width * left, left, BLUE)
         for obstacle in view.obstacles:
             if any(obstacle.velocity):
-                axes.annotate(f"{time:.0f} s", obstacle.position_at(time), va="center", color=ORANGE, **style)
+                lowest = outline(obstacle, np.array([time]))[0, :, 1].min()
+                centre = obstacle.position_at(time)[0]
+                _label(axes, time, np.array([centre, lowest]), np.array([0.0, -1.0]), ORANGE)
+
+
+def _label(axes: Axes, time: float, position: Array, away: Array, color: str) -> None:
+    """The time [s] beside a position (2,) [m], in the direction `away` (2,) from it."""
+    axes.annotate(
+        f"{time:.0f} s",
+        (position[0], position[1]),
+        (LABEL_OFFSET * away[0], LABEL_OFFSET * away[1]),
+        textcoords="offset points",
+        ha="center",
+        va="center",
+        color=color,
+        fontsize=6.5,
+        annotation_clip=True,
+        path_effects=[withStroke(linewidth=2.0, foreground="white")],
+    )

@@ -14,7 +14,8 @@ Array = NDArray[np.float64]
 
 EVERY: Final = 0.25  # between two instants [s]
 LONGEST: Final = 200.0  # stretch of road; of a longer run, the one round the closest approach [m]
-MARGIN: Final = 0.6  # round all that is drawn [m]
+NEAR: Final = 30.0  # from what the vehicle covered to an obstacle that is drawn [m]
+MARGIN: Final = 1.0  # round all that is drawn [m]
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,11 +51,12 @@ def view_of(run: Run) -> View:
     obstacles = tuple(obstacle.to_world() for obstacle in run.scenario.obstacles)
     instants = rows[_every(rows[:, 0])]
     poses, closest = instants[:, 1:4], _closest(run, rows, obstacles)
-    outlines = [bodies(run.scenario.ego.to_vehicle(), poses).reshape(-1, 2), rows[:, 1:3]]
-    outlines += [outline(obstacle, instants[:, 0]).reshape(-1, 2) for obstacle in obstacles]
-    points = np.concatenate(outlines)
+    covered = np.concatenate([bodies(run.scenario.ego.to_vehicle(), poses).reshape(-1, 2), rows[:, 1:3]])
+    passed = np.concatenate([outline(obstacle, instants[:, 0]).reshape(-1, 2) for obstacle in obstacles] or [covered])
+    near = within(passed[:, 0], covered[:, 0].min() - NEAR, covered[:, 0].max() + NEAR)
+    points = np.concatenate([covered, passed[near]])
     x = _stretch(points[:, 0], rows[0 if closest is None else closest, 1])
-    y = _across(points[(points[:, 0] >= x[0]) & (points[:, 0] <= x[1]), 1], run.scenario.road.to_world())
+    y = _across(points[within(points[:, 0], *x), 1], run.scenario.road.to_world())
     return View(instants[:, 0], poses, instants[:, 4], rows[:, 1:3], obstacles, closest, x, y)
 
 
@@ -64,6 +66,12 @@ def outline(obstacle: Obstacle, times: Array) -> Array:
     turned = obstacle.shape.outline() @ np.array([[cos, sin], [-sin, cos]])
     placed: Array = obstacle.position_at(times)[:, np.newaxis] + turned
     return placed
+
+
+def within(values: Array, low: float, high: float) -> NDArray[np.bool_]:
+    """Which values are from low to high."""
+    inside: NDArray[np.bool_] = (low <= values) & (values <= high)
+    return inside
 
 
 def _every(times: Array) -> NDArray[np.intp]:

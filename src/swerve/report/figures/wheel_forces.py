@@ -13,7 +13,7 @@ NAMES = {"fl": "front left", "fr": "front right", "rl": "rear left", "rr": "rear
 
 @styled
 def wheel_forces(run: Run) -> Figure:
-    """Longitudinal force of each tyre, commanded and acting, within the friction circle; the panels lie as the wheels do."""
+    """Longitudinal force of each tyre, commanded and acting, and its friction circle; panels lie as the wheels do."""
     motion, steps, friction = run.log.motion, run.log.steps, run.scenario.road.friction
     figure = new_figure(run, height=4.6)
     panels = figure.subplots(2, 2, sharex=True, sharey=True)

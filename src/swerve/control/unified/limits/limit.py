@@ -37,6 +37,10 @@ class HardLimit(Protocol):
     """A limit that every plan keeps."""
 
     @abstractmethod
+    def clip(self, inputs: Array) -> Array:
+        """Inputs (Np, 5) as the limit lets them through; those that keep it unchanged."""
+
+    @abstractmethod
     def rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
         """Its linearisation about a trajectory."""
 

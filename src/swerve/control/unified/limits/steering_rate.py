@@ -3,11 +3,14 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from swerve.control.unified.condensing import INPUT_SCALE, Blocking, Sensitivities
 from swerve.control.unified.limits.limit import Rows
 from swerve.control.unified.prediction import Trajectory
 from swerve.conventions import DELTA, N_INPUTS
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -23,6 +26,14 @@ class SteeringRateLimit:
     largest_change: float
     previous: float
     blocking: Blocking
+
+    def clip(self, inputs: Array) -> Array:
+        """Each steering angle as far towards its own value as the rate lets it go."""
+        clipped, reached = inputs.copy(), self.previous
+        for k, wanted in enumerate(inputs[:, DELTA]):
+            reached += min(max(wanted - reached, -self.largest_change), self.largest_change)
+            clipped[k, DELTA] = reached
+        return clipped
 
     def rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
         """One row a free input, in units of the scaled steering angle."""
