@@ -10,20 +10,17 @@ import argparse
 import json
 import os
 import sys
-import time
-from collections.abc import Iterable, Mapping, Sequence
-from math import degrees
+from collections.abc import Iterable, Sequence
 from pathlib import Path
-from types import TracebackType
-from typing import Any, Final, NoReturn, Self, TextIO
+from typing import Final, NoReturn, TextIO
 
 from swerve import __version__
 from swerve.errors import InputError, SwerveError, unknown
 
 INTERRUPTED: Final = 130  # 128 + SIGINT, as shells have it
 BROKEN_PIPE: Final = 141  # 128 + SIGPIPE
-PATIENCE: Final = 1.0  # time before progress is shown [s]
-LINE_EVERY: Final = 5.0  # time between lines of progress where stderr is no terminal [s]
+RUN_SHARE: Final = 0.3  # of the time that a run with files takes, what the run itself takes [1]
+REPRODUCE_SHARE: Final = 0.8  # likewise of a reproduction [1]
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -44,41 +41,6 @@ def main(argv: Sequence[str] | None = None) -> int:
             return BROKEN_PIPE
         print(f"swerve: error: cannot write: {error}", file=sys.stderr)
         return 2
-
-
-class Progress:
-    """The share of the work that is done, on stderr, once it has taken longer than a second.
-
-    On a terminal it is one line that renews itself and goes away; anywhere else it is now and then a plain line.
-    """
-
-    def __init__(self, stream: TextIO) -> None:
-        self._stream = stream
-        self._next = time.monotonic() + PATIENCE
-        self._is_shown = False
-
-    def __call__(self, share: float) -> None:
-        """Tell that `share`, from 0 to 1, is done."""
-        now = time.monotonic()
-        if now < self._next:
-            return
-        if self._stream.isatty():
-            self._stream.write(f"\rswerve: {share:4.0%}")
-            self._is_shown, self._next = True, now + 0.1
-        else:
-            self._stream.write(f"swerve: {share:.0%} done\n")
-            self._next = now + LINE_EVERY
-        self._stream.flush()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._is_shown:
-            self._stream.write("\r" + " " * len("swerve: 100%") + "\r")
-            self._stream.flush()
 
 
 class _Parser(argparse.ArgumentParser):
@@ -148,19 +110,22 @@ def _run(options: argparse.Namespace) -> int:
     controller = _checked("controller", options.controller, CONTROLLERS) or DEFAULT_CONTROLLER
     plant = _checked("plant", options.plant, PLANTS) or DEFAULT_PLANT
     required = _checked("outcome", options.require, [outcome.value for outcome in Outcome], option="require")
-    if options.out is not None:
-        from swerve.report import prepare_output, write_run
+    from swerve.report import Progress, prepare_output, result_json, result_table, write_run
 
+    paths: list[Path] = []
+    if options.out is not None:
         prepare_output(options.out)
     with Progress(sys.stderr) as progress:
-        done = run(scenario, controller, plant, options.seed, progress)
-    result = done.result.to_json()
-    paths = write_run(done, options.out) if options.out is not None else []
-    print(json.dumps(result, allow_nan=False) if options.json else _table(result, done.result.outcome.sentence))
+        share = 1.0 if options.out is None else RUN_SHARE
+        done = run(scenario, controller, plant, options.seed, progress.part(0.0, share))
+        if options.out is not None:
+            paths = write_run(done, options.out, progress.part(share, 1.0))
+    print(result_json(done.result) if options.json else result_table(done.result))
     _print_paths(paths, sys.stderr if options.json else sys.stdout)
-    if required in (None, result["outcome"]):
+    outcome = done.result.outcome.value
+    if required in (None, outcome):
         return 0
-    print(f"swerve: the outcome is {result['outcome']}, required was {required}", file=sys.stderr)
+    print(f"swerve: the outcome is {outcome}, required was {required}", file=sys.stderr)
     return 1
 
 
@@ -178,14 +143,15 @@ def _scenarios(options: argparse.Namespace) -> int:
 
 
 def _reproduce(options: argparse.Namespace) -> int:
-    from swerve.report import prepare_output
+    from swerve.report import Progress, ablation_table, prepare_output, write_reproduction
     from swerve.study.reproduce import reproduce
 
     prepare_output(options.out)
     with Progress(sys.stderr) as progress:
-        reproduction = reproduce(options.out, progress)
-    print(reproduction.table_text())
-    _print_paths(reproduction.paths, sys.stdout)
+        reproduction = reproduce(progress.part(0.0, REPRODUCE_SHARE))
+        paths = write_reproduction(reproduction, options.out, progress.part(REPRODUCE_SHARE, 1.0))
+    print(ablation_table(reproduction.ablation))
+    _print_paths(paths, sys.stdout)
     return 0
 
 
@@ -199,29 +165,3 @@ def _checked(kind: str, name: str | None, known: Iterable[str], option: str | No
 def _print_paths(paths: Iterable[Path], stream: TextIO) -> None:
     for path in paths:
         print(f"wrote {path}", file=stream)
-
-
-def _table(result: Mapping[str, Any], sentence: str) -> str:
-    """The result of a run, for people: a row each for what was decided, how near it came and what it took."""
-    offset, speed, step_time = result["lateral_offset"], result["speed"], result["step_time"]
-    rows = {
-        "scenario": f"{result['scenario']}, {result['controller']} on {result['plant']}, seed {result['seed']}",
-        "outcome": f"{result['outcome']}: {sentence}",
-        "decision": result["decision"],
-        "distance ratio": f"{_number(result['min_distance_ratio'], digits=3)} at the least (1 is contact)",
-        "clearance": f"{_number(result['min_clearance'], 'm', digits=3)} at the least",
-        "lateral offset": f"{_range(offset, 'm')}, {_number(offset['final'], 'm')} at the end",
-        "speed": f"{_range(speed, 'm/s')} ({_range(speed, 'km/h', 3.6)})",
-        "sideslip": f"{_number(result['max_sideslip'], 'deg', degrees(1))} at the most",
-        "steps": f"{result['steps']}: {result['fallback_steps']} fallback, {result['solver_failures']} solver failures",
-        "step time": f"{_number(step_time['median'], 'ms', 1e3)} median, {_number(step_time['p99'], 'ms', 1e3)} p99",
-    }
-    return "\n".join(f"{name:<16}{text}" for name, text in rows.items())
-
-
-def _number(value: float | None, unit: str = "", factor: float = 1.0, digits: int = 2) -> str:
-    return "none" if value is None else f"{value * factor:.{digits}f} {unit}".strip()
-
-
-def _range(values: Mapping[str, float | None], unit: str, factor: float = 1.0) -> str:
-    return f"{_number(values['min'], factor=factor)} to {_number(values['max'], unit, factor)}"

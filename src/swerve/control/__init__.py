@@ -2,6 +2,6 @@
 
 from swerve.control.plan import Branch, Fallback, Plan, Side
 from swerve.control.protocol import Controller
-from swerve.control.settings import Goal, Horizon, Weights
+from swerve.control.settings import Goal, Horizon, Latency, Weights
 
-__all__ = ["Branch", "Controller", "Fallback", "Goal", "Horizon", "Plan", "Side", "Weights"]
+__all__ = ["Branch", "Controller", "Fallback", "Goal", "Horizon", "Latency", "Plan", "Side", "Weights"]

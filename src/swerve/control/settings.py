@@ -52,3 +52,16 @@ class Goal:
 
     speed: float
     lateral_offset: float
+
+
+@dataclass(frozen=True)
+class Latency:
+    """Delays that a controller knows of.
+
+    Attributes:
+        sensing: age of a measurement when the controller gets it [s].
+        actuation: from a command to its effect: transport, and the lag of the actuators taken as a delay [s].
+    """
+
+    sensing: float
+    actuation: float

@@ -35,23 +35,23 @@ def result_table(result: Result) -> str:
 def ablation_table(ablation: Ablation) -> str:
     """The ablation, a line for each variant, with a group of columns for each scene."""
     width = max(len(row.variant.name) for row in ablation.rows)
-    groups = [" " * width, *(f"{scene.name:<31}" for scene in ablation.scenes)]
-    columns = [" " * width, *["outcome    ratio   steer  failed"] * len(ablation.scenes)]
+    groups = [" " * width, *(f"{scene.name:<29}" for scene in ablation.scenes)]
+    columns = [" " * width, *["outcome    ratio steer failed"] * len(ablation.scenes)]
     lines = [groups, columns]
     lines += [[f"{row.variant.name:<{width}}", *map(_ablation_cells, row.results)] for row in ablation.rows]
     legend = (
-        "ratio: smallest sqrt(rho), 1 is contact; steer: largest steering angle;",
+        "ratio: smallest sqrt(rho), 1 is contact; steer: largest steering angle [deg];",
         "failed: steps that were answered by the fallback / programs without a solution",
     )
-    return "\n".join([*("   ".join(line).rstrip() for line in lines), "", *legend])
+    return "\n".join([*("  ".join(line).rstrip() for line in lines), "", *legend])
 
 
 def _ablation_cells(result: Result) -> str:
     values = result.to_json()
     ratio = _number(values["min_distance_ratio"], digits=3)
-    steer = _number(values["max_steer"], "deg", degrees(1), digits=1)
+    steer = _number(values["max_steer"], factor=degrees(1), digits=1)
     failed = f"{result.fallback_steps}/{result.solver_failures}"
-    return f"{result.outcome.value:<9}{ratio:>7}{steer:>9}{failed:>7}"
+    return f"{result.outcome.value:<9}{ratio:>7}{steer:>6}{failed:>7}"
 
 
 def _number(value: float | None, unit: str = "", factor: float = 1.0, digits: int = 2) -> str:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any, Final
 
-from swerve.control import Controller, Goal, Horizon, Weights
+from swerve.control import Controller, Goal, Horizon, Latency, Weights
 from swerve.control.as_printed import AsPrintedController, AsPrintedSettings
 from swerve.control.unified import UnifiedController, UnifiedSettings
 from swerve.errors import InputError, unknown
@@ -25,7 +25,9 @@ def _shared(scenario: Scenario) -> dict[str, Any]:
 
 def _unified(scenario: Scenario) -> UnifiedController:
     settings = UnifiedSettings(**scenario.controller.unified.model_dump())
-    return UnifiedController(footprint=scenario.ego.to_footprint(), settings=settings, **_shared(scenario))
+    return UnifiedController(
+        footprint=scenario.ego.to_footprint(), latency=Latency(0.0, 0.0), settings=settings, **_shared(scenario)
+    )
 
 
 def _as_printed(scenario: Scenario) -> AsPrintedController:

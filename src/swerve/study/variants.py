@@ -62,8 +62,8 @@ _UNIFIED: Final = (
             "controller.unified.trust_force=1000 kN",
         ),
         "The same cost and horizons, another program: linearised along the previous plan instead of at one point, "
-        "with a half-plane at each predicted node, soft, once for the left and once for the right, and the better "
-        "taken; a roll-out of the nonlinear model decides how far to go along the answer. One iteration a step.",
+        "with soft half-planes at the predicted nodes and between them, once for the left and once for the right, and "
+        "the better taken; a roll-out of the nonlinear model decides how far to go along the answer. One iteration.",
     ),
     Variant(
         "+ slip limit, trust region",

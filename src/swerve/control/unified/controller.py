@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from swerve.control.plan import Branch, Fallback, Plan, Side
 from swerve.control.protocol import Controller
-from swerve.control.settings import Goal, Horizon, Weights
+from swerve.control.settings import Goal, Horizon, Latency, Weights
 from swerve.control.unified.acceptance import Step
 from swerve.control.unified.branch import TRUST_AFTER_A_STEP, SidePlan, Situation, improve
 from swerve.control.unified.choice import CLEAR, choose
+from swerve.control.unified.compensation import is_late, n_commands, state_at_effect
 from swerve.control.unified.condensing import Blocking
 from swerve.control.unified.fallback import fallback_plan
 from swerve.control.unified.limits import InputBox, ObstacleLimit, Penalty, SlipLimit, SteeringRateLimit
@@ -37,7 +38,6 @@ from swerve.world import Footprint
 Array = NDArray[np.float64]
 
 
-OLDEST = 0.5  # [samples] age of a measurement that can still be used
 
 
 class UnifiedController(Controller[Memory]):
@@ -51,11 +51,12 @@ class UnifiedController(Controller[Memory]):
         goal: Goal,
         horizon: Horizon,
         weights: Weights,
+        latency: Latency,
         settings: UnifiedSettings,
     ) -> None:
         """Build the kernels; a first time compiles them."""
         self._vehicle, self._footprint, self._friction = vehicle, footprint, friction
-        self._horizon, self._settings = horizon, settings
+        self._horizon, self._latency, self._settings = horizon, latency, settings
         self._model = PredictionModel(vehicle, friction, horizon)
         self._blocking = Blocking(horizon)
         self._times = np.arange(2 * horizon.prediction + 1) * horizon.sample_time / 2
@@ -74,7 +75,8 @@ class UnifiedController(Controller[Memory]):
 
     def start(self) -> Memory:
         """Wheels straight, no force, no plan."""
-        return Memory(np.zeros(N_INPUTS), {}, {}, None, None, 0)
+        nothing = (np.zeros(N_INPUTS),) * n_commands(self._latency, self._horizon.sample_time)
+        return Memory(nothing, {}, {}, None, None, 0)
 
     def step(self, measurement: Measurement, memory: Memory) -> tuple[Command, Plan, Memory]:
         """One sample: both sides improved, the better one taken, its first input commanded."""
@@ -131,12 +133,14 @@ class UnifiedController(Controller[Memory]):
     def _situation(self, side: Side, measurement: Measurement, memory: Memory) -> Situation:
         """Cost and limits of this step for passing on one side."""
         box = InputBox.of(self._vehicle, self._friction, measurement.wheel_loads, self._blocking)
+        start = state_at_effect(measurement, memory.commands, self._latency, self._model)
+        times = self._times + (measurement.time - measurement.stamp + self._latency.actuation)
         obstacles = [
             ObstacleLimit(
                 seen.as_obstacle(),
                 self._footprint,
                 side,
-                self._times,
+                times,
                 self._tail,
                 self._settings.clearance_margin,
                 self._clearance,
@@ -147,7 +151,7 @@ class UnifiedController(Controller[Memory]):
         hard = [SteeringRateLimit(rate, float(memory.command[DELTA]), self._blocking)] if np.isfinite(rate) else []
         terms = (*self._tracking, self._input_rate.after(memory.command), self._force)
         program = Program(terms, box, hard, (*obstacles, self._slip))
-        return Situation(side, program, self._model, measurement.state, measurement.wheel_loads, self._trust)
+        return Situation(side, program, self._model, start, measurement.wheel_loads, self._trust)
 
     def _take(self, time: float, sides: dict[Side, SidePlan], memory: Memory) -> tuple[Command, Plan, Memory]:
         """The better side's plan as command, and what the next step is to know."""
@@ -166,15 +170,14 @@ class UnifiedController(Controller[Memory]):
         return (
             Command.from_input(plan.inputs[0]),
             plan,
-            Memory(plan.inputs[0], inputs, trust, taken.side if is_shaped else None, plan, 0),
+            Memory(memory.after(plan.inputs[0]), inputs, trust, taken.side if is_shaped else None, plan, 0),
         )
 
     def _unusable(self, measurement: Measurement) -> Fallback | None:
         """Why a measurement can't be planned from, if it can't."""
         if not measurement.is_finite:
             return Fallback.NOT_FINITE
-        late = measurement.time - measurement.stamp > OLDEST * self._horizon.sample_time
-        return Fallback.LATE if late else None
+        return Fallback.LATE if is_late(measurement, self._latency, self._horizon.sample_time) else None
 
     def _fall_back(
         self, time: float, reason: Fallback, memory: Memory, solver_failures: int = 0
@@ -187,5 +190,5 @@ class UnifiedController(Controller[Memory]):
         return (
             Command.from_input(plan.inputs[0]),
             replace(plan, solver_failures=solver_failures),
-            replace(memory, command=plan.inputs[0], inputs=moved, age=memory.age + 1),
+            replace(memory, commands=memory.after(plan.inputs[0]), inputs=moved, age=memory.age + 1),
         )

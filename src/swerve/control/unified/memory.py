@@ -15,7 +15,7 @@ class Memory:
     """Values of the last step; nothing else is remembered.
 
     Attributes:
-        command: (5,) input that acts now.
+        commands: (5,) inputs that were given, the last one first; as many as still matter.
         inputs: for each side, the last plan's inputs (Np, 5); a side that was never planned is absent.
         trust: for each side, size of the trust region as a share of the full one [1].
         committed: the side taken while an obstacle shaped the plan.
@@ -23,12 +23,21 @@ class Memory:
         age: samples since that plan [1].
     """
 
-    command: Array
+    commands: tuple[Array, ...]
     inputs: dict[Side, Array]
     trust: dict[Side, float]
     committed: Side | None
     plan: Plan | None
     age: int
+
+    @property
+    def command(self) -> Array:
+        """(5,) the input that was given last."""
+        return self.commands[0]
+
+    def after(self, command: Array) -> tuple[Array, ...]:
+        """The commands that the next step remembers."""
+        return (command, *self.commands[:-1])
 
 
 def shifted(inputs: Array, samples: int = 1) -> Array:

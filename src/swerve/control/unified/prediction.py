@@ -74,8 +74,13 @@ class PredictionModel:
         """Compile, or take from the cache, the kernels of this number of samples."""
         self.horizon = horizon
         self._parameters = Parameters.of(vehicle, friction, SLIP_SPEED_FLOOR).as_array()
+        self._advance = Kernel(_sample())
         self._roll_out = Kernel(_over_horizon(_sample(), horizon.prediction, "roll_out"))
         self._linearise = Kernel(_over_horizon(_sample_with_jacobians(), horizon.prediction, "linearise", skip=1))
+
+    def advance(self, state: Array, u: Array, loads: Array, duration: float) -> Array:
+        """The state (6,) after `duration` [s] with the input u (5,) held."""
+        return self._advance(state, u, loads, self._parameters, duration)[0]
 
     def roll_out(self, start: Array, inputs: Array, loads: Array) -> Trajectory:
         """The motion from state `start` (6,) under `inputs` (Np, 5), with wheel loads (4,) [N] held."""

@@ -15,7 +15,8 @@ FOOT: Final = 0.40  # below the last strip, for the label of X, without the capt
 GAP: Final = 0.30  # between strips, for the labels of ticks [inch]
 TALLEST: Final = 6.4  # all strips and the gaps between them [inch]
 MOST: Final = 5  # strips
-LARGEST_SCALE: Final = 0.35  # of the page to the world [inch/m]
+LARGEST_SCALE: Final = 0.2  # of the page to the world [inch/m]
+ENOUGH: Final = 0.8  # of the largest scale that there is, for fewer strips and less of the last one empty [1]
 
 
 @dataclass(frozen=True)
@@ -45,13 +46,14 @@ class Strips:
 
 
 def cut(x: tuple[float, float], y: tuple[float, float]) -> Strips:
-    """The cut with the largest scale for a map from x[0] to x[1] and from y[0] to y[1] [m]."""
+    """The cut of a map from x[0] to x[1] and from y[0] to y[1] [m] into as few strips as leave it large."""
     width, length, height = WIDTH - LEFT - RIGHT, x[1] - x[0], y[1] - y[0]
 
     def scale(n: int) -> float:
         return min(LARGEST_SCALE, n * width / length, (TALLEST - (n - 1) * GAP) / (n * height))
 
-    n = max(range(1, MOST + 1), key=scale)  # of equal ones the first, which has the fewest strips
+    largest = max(map(scale, range(1, MOST + 1)))
+    n = next(n for n in range(1, MOST + 1) if scale(n) >= ENOUGH * largest)
     strip = width / scale(n)  # what fits in one [m]
     start = x[0] if n > 1 else (x[0] + x[1] - strip) / 2  # room that is left over is at the end, or on both sides
     return Strips(tuple(start + i * strip for i in range(n + 1)), y, scale(n))

@@ -32,7 +32,7 @@ ORANGE: Final = "#D55E00"
 COMMANDED: Final[dict[str, Any]] = {"color": SKY, "linewidth": 2.6}
 ACTING: Final[dict[str, Any]] = {"color": BLACK, "linewidth": 1.0}
 LIMIT: Final[dict[str, Any]] = {"color": ORANGE, "linestyle": ":", "linewidth": 1.2}
-GOAL: Final[dict[str, Any]] = {"color": GREY, "linestyle": "--", "linewidth": 1.0}
+GOAL: Final[dict[str, Any]] = {"color": GREY, "linestyle": "--", "linewidth": 1.0, "zorder": 1.5}
 
 STYLE: Final[Any] = {  # matplotlib's type for it lists all of its keys
     "font.family": "DejaVu Sans",  # comes with matplotlib: the same file on every machine

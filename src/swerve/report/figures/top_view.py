@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from swerve.report.figures.body import bodies, wheels
 from swerve.report.figures.strips import add_axes, cut
 from swerve.report.figures.style import BLACK, BLUE, GREY, ORANGE, WIDTH, put_caption, styled
-from swerve.report.figures.view import View, outline, view_of, within
+from swerve.report.figures.view import EVERY, View, outline, view_of, within
 from swerve.simulate import Run
 from swerve.vehicle import Vehicle
 from swerve.world import Road
@@ -75,7 +75,7 @@ def _draw_obstacles(axes: Axes, view: View) -> None:
 def _draw_vehicle(axes: Axes, view: View, vehicle: Vehicle, *, is_point: bool) -> None:
     is_full = np.arange(len(view.times)) % LABELLED == 0
     brief = {"facecolors": "none", "edgecolors": BLUE, "linewidths": 0.5}
-    full = {"facecolors": PALE_BLUE, "edgecolors": BLUE, "linewidths": 0.9, "label": "vehicle"}
+    full = {"facecolors": PALE_BLUE, "edgecolors": BLUE, "linewidths": 0.9, "label": f"vehicle, every {EVERY:g} s"}
     for rows, body_style, tyre_colour in ((~is_full, brief, PALE_GREY), (is_full, full, BLACK)):
         _add(axes, bodies(vehicle, view.poses[rows]), **body_style)
         _add(axes, wheels(vehicle, view.poses[rows], view.steering[rows]), facecolors=tyre_colour, linewidths=0)
@@ -83,7 +83,7 @@ def _draw_vehicle(axes: Axes, view: View, vehicle: Vehicle, *, is_point: bool) -
     axes.plot(*view.path.T, color=BLACK, linewidth=1.0, zorder=3, label=f"centre of gravity{judged}")
     if view.closest is not None:
         x, y = view.path[view.closest]
-        axes.plot([x], [y], "D", mfc="white", mec=BLACK, markersize=3.5, zorder=4, label="closest to an obstacle")
+        axes.plot([x], [y], "D", mfc="white", mec=BLACK, markersize=3.5, zorder=4, label="closest")
 
 
 def _add(axes: Axes, polygons: Array, **style: Any) -> None:
