@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 from swerve.scenario.controller import ControllerSettings
 from swerve.scenario.ego import EgoSettings
 from swerve.scenario.quantities import Duration, Name, Offset, PlantStep, Speed, Text
+from swerve.scenario.sensing import SensingSettings
 from swerve.scenario.settings import KeyedError, Settings
 from swerve.scenario.surroundings import ObstacleSettings, RoadSettings
 from swerve.world import clearance
@@ -52,6 +53,7 @@ class Scenario(Settings):
         goal: what the ego vehicle is to hold.
         controller: horizons, weights and sample time.
         plant: the simulated vehicle's clock.
+        sensing: what the controller gets to know, and when.
     """
 
     name: Name = Field(examples=['"my-scenario"'])
@@ -64,14 +66,17 @@ class Scenario(Settings):
     goal: GoalSettings = Field(examples=['{ speed = "72 km/h", lateral_offset = "0 m" }'])
     controller: ControllerSettings = Field(default_factory=ControllerSettings)
     plant: PlantSettings = Field(default_factory=PlantSettings)
+    sensing: SensingSettings = Field(default_factory=SensingSettings)
 
     @model_validator(mode="after")
     def _clocks_agree(self) -> Self:
-        ratio = self.controller.sample_time / self.plant.step
-        if self.n_substeps < 1 or abs(ratio - self.n_substeps) > RATIO_TOLERANCE * ratio:
-            nearest = f"{max(1, round(ratio)) * self.plant.step:g} s"
-            fault = f"{self.controller.sample_time:g} s is no whole multiple of plant.step, {self.plant.step:g} s"
-            raise KeyedError("controller.sample_time", f"{fault}; the nearest is {nearest}")
+        times = (("controller.sample_time", self.controller.sample_time, 1), ("sensing.delay", self.sensing.delay, 0))
+        for key, time, fewest in times:
+            ratio = time / self.plant.step
+            if round(ratio) < fewest or abs(ratio - round(ratio)) > RATIO_TOLERANCE * ratio:
+                nearest = f"{max(fewest, round(ratio)) * self.plant.step:g} s"
+                fault = f"{time:g} s is no whole multiple of plant.step, {self.plant.step:g} s"
+                raise KeyedError(key, f"{fault}; the nearest is {nearest}")
         return self
 
     @model_validator(mode="after")

@@ -1,5 +1,6 @@
 """From truth to measurement."""
 
-from swerve.sensing.ideal import measure
+from swerve.sensing.past import Past, Truth
+from swerve.sensing.sensor import Noise, Sensor
 
-__all__ = ["measure"]
+__all__ = ["Noise", "Past", "Sensor", "Truth"]

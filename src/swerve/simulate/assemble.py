@@ -9,6 +9,7 @@ from swerve.control.unified import UnifiedController, UnifiedSettings
 from swerve.errors import InputError, unknown
 from swerve.plant import PlanarPlant, Plant
 from swerve.scenario import Scenario
+from swerve.sensing import Noise, Sensor
 
 
 def _shared(scenario: Scenario) -> dict[str, Any]:
@@ -26,7 +27,10 @@ def _shared(scenario: Scenario) -> dict[str, Any]:
 def _unified(scenario: Scenario) -> UnifiedController:
     settings = UnifiedSettings(**scenario.controller.unified.model_dump())
     return UnifiedController(
-        footprint=scenario.ego.to_footprint(), latency=Latency(0.0, 0.0), settings=settings, **_shared(scenario)
+        footprint=scenario.ego.to_footprint(),
+        latency=Latency(scenario.sensing.delay, 0.0),
+        settings=settings,
+        **_shared(scenario),
     )
 
 
@@ -37,6 +41,13 @@ def _as_printed(scenario: Scenario) -> AsPrintedController:
 
 def _planar(scenario: Scenario) -> PlanarPlant:
     return PlanarPlant(scenario.ego.to_vehicle(), scenario.road.friction, scenario.plant.step, scenario.n_substeps)
+
+
+def sensor_of(scenario: Scenario) -> Sensor:
+    """Build the way from truth to measurement."""
+    settings = scenario.sensing
+    noise = Noise(**settings.noise.model_dump())
+    return Sensor(settings.delay, noise, settings.wheel_loads == "estimated", scenario.ego.to_vehicle())
 
 
 CONTROLLERS: Final[dict[str, Callable[[Scenario], Controller[Any]]]] = {"unified": _unified, "as-printed": _as_printed}

@@ -9,19 +9,18 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from swerve.control import Controller, Plan
 from swerve.plant import Plant, Trace
 from swerve.scenario import Scenario
-from swerve.sensing import measure
+from swerve.sensing import Past, Truth
 from swerve.signals import Command, Measurement
-from swerve.simulate.assemble import DEFAULT_CONTROLLER, DEFAULT_PLANT, controller_named, plant_named
+from swerve.simulate.assemble import DEFAULT_CONTROLLER, DEFAULT_PLANT, controller_named, plant_named, sensor_of
 from swerve.simulate.log import Log, motion_table, steps_table
 from swerve.simulate.result import Result, evaluate
 from swerve.world import Obstacle
 
-Sense = Callable[[float, NDArray[np.float64], NDArray[np.float64], Sequence[Obstacle]], Measurement]
+Sense = Callable[[float, Past, Sequence[Obstacle], np.random.Generator], Measurement]
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +46,7 @@ def run(
     plant: str = DEFAULT_PLANT,
     seed: int = 0,
     progress: Callable[[float], None] | None = None,
-    sense: Sense = measure,
+    sense: Sense | None = None,
 ) -> Run:
     """Run a scenario to its end, or to the sample in which the motion stops being finite.
 
@@ -57,14 +56,15 @@ def run(
         plant: name of the plant.
         seed: of all random numbers of the run.
         progress: called after each sample with the share that is done [1].
-        sense: truth -> measurement.
+        sense: time, past truth, obstacles, random generator -> measurement; that of the scenario by default.
 
     Raises:
         InputError: no such controller or plant.
     """
     started = time.perf_counter()
     built = controller_named(controller, scenario), plant_named(plant, scenario)
-    traces, commands, plans, step_times = _drive(scenario, *built, sense, progress or (lambda share: None))
+    sensing = sense or sensor_of(scenario).measure, np.random.default_rng(seed)
+    traces, commands, plans, step_times = _drive(scenario, *built, *sensing, progress or (lambda share: None))
     step, sample_time = scenario.plant.step, scenario.controller.sample_time
     n_rows = sum(len(trace.states) for trace in traces)
     log = Log(
@@ -78,23 +78,31 @@ def run(
 
 
 def _drive(
-    scenario: Scenario, controller: Controller[Any], plant: Plant, sense: Sense, progress: Callable[[float], None]
+    scenario: Scenario,
+    controller: Controller[Any],
+    plant: Plant,
+    sense: Sense,
+    generator: np.random.Generator,
+    progress: Callable[[float], None],
 ) -> tuple[list[Trace], list[Command], list[Plan], list[float]]:
     """The loop: traces of the plant, and command, plan and time of each controller step."""
     ego, sample_time = scenario.ego, scenario.controller.sample_time
     obstacles = [obstacle.to_world() for obstacle in scenario.obstacles]
     state = plant.start(np.array([ego.speed, 0.0, 0.0, ego.heading, *ego.position]))
+    past = Past(scenario.plant.step, scenario.n_substeps, Truth(state.vehicle, state.wheel_loads, np.zeros(2)))
     memory = controller.start()
     traces: list[Trace] = []
     commands: list[Command] = []
     plans: list[Plan] = []
     step_times: list[float] = []
     for k in range(scenario.n_samples):
-        measurement = sense(k * sample_time, state.vehicle, state.wheel_loads, obstacles)
+        measurement = sense(k * sample_time, past, obstacles, generator)
         began = time.perf_counter()
         command, plan, memory = controller.step(measurement, memory)
         step_times.append(time.perf_counter() - began)
         state, trace = plant.advance(state, command)
+        now = Truth(state.vehicle, state.wheel_loads, trace.acceleration[-1])
+        past.grow(trace.states, trace.wheel_loads, trace.acceleration, now)
         traces.append(trace)
         commands.append(command)
         plans.append(plan)

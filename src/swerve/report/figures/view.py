@@ -13,14 +13,15 @@ from swerve.world import Obstacle, Road, clearance
 Array = NDArray[np.float64]
 
 EVERY: Final = 0.25  # between two instants [s]
-LONGEST: Final = 200.0  # stretch of road; of a longer run, the one round the closest approach [m]
+LONGEST: Final = 200.0  # stretch along X or Y; of a longer run, the one round the closest approach [m]
+FARTHEST: Final = 1e6  # that a vehicle can come in a run [m]
 NEAR: Final = 30.0  # from what the vehicle covered to an obstacle that is drawn [m]
 MARGIN: Final = 1.0  # round all that is drawn [m]
 
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """The finite part of a run, as it is drawn.
+    """The part of a run that is drawn.
 
     Attributes:
         times: of the instants (n,) [s].
@@ -47,7 +48,7 @@ def view_of(run: Run) -> View:
     """Choose what is drawn of a run."""
     motion = run.log.motion
     rows = motion.stack("time", "X", "Y", "psi", "delta")
-    rows = rows[np.isfinite(rows).all(axis=1)]  # a run that diverged ends in others
+    rows = rows[(np.abs(rows) < FARTHEST).all(axis=1)]  # a run that diverged ends in others, nan among them
     obstacles = tuple(obstacle.to_world() for obstacle in run.scenario.obstacles)
     instants = rows[_every(rows[:, 0])]
     poses, closest = instants[:, 1:4], _closest(run, rows, obstacles)
@@ -55,8 +56,9 @@ def view_of(run: Run) -> View:
     passed = np.concatenate([outline(obstacle, instants[:, 0]).reshape(-1, 2) for obstacle in obstacles] or [covered])
     near = within(passed[:, 0], covered[:, 0].min() - NEAR, covered[:, 0].max() + NEAR)
     points = np.concatenate([covered, passed[near]])
-    x = _stretch(points[:, 0], rows[0 if closest is None else closest, 1])
-    y = _across(points[within(points[:, 0], *x), 1], run.scenario.road.to_world())
+    middle = rows[0 if closest is None else closest]
+    x = _stretch(points[:, 0], middle[1])
+    y = _stretch(np.append(points[within(points[:, 0], *x), 1], _edges(run.scenario.road.to_world())), middle[2])
     return View(instants[:, 0], poses, instants[:, 4], rows[:, 1:3], obstacles, closest, x, y)
 
 
@@ -87,17 +89,15 @@ def _closest(run: Run, rows: Array, obstacles: tuple[Obstacle, ...]) -> int | No
     return int(np.argmin(np.min(gaps, axis=0))) if gaps else None
 
 
-def _stretch(x: Array, middle: float) -> tuple[float, float]:
-    """All of x (n,) [m], or as much of it round the middle as is drawn."""
-    low, high = float(x.min()) - MARGIN, float(x.max()) + MARGIN
+def _edges(road: Road) -> list[float]:
+    """Y of the road's edges, where there are any [m]."""
+    return [edge for edge in (road.left_edge, road.right_edge) if edge is not None]
+
+
+def _stretch(values: Array, middle: float) -> tuple[float, float]:
+    """What holds all values (n,) [m], or as many of them round the middle as are drawn."""
+    low, high = float(values.min()) - MARGIN, float(values.max()) + MARGIN
     if high - low <= LONGEST:
         return low, high
     start = float(np.clip(middle - LONGEST / 2, low, high - LONGEST))
     return start, start + LONGEST
-
-
-def _across(y: Array, road: Road) -> tuple[float, float]:
-    """All of y (n,) and the road's edges [m]."""
-    edges = [edge for edge in (road.left_edge, road.right_edge) if edge is not None]
-    reached = [*y, *edges]
-    return float(min(reached)) - MARGIN, float(max(reached)) + MARGIN
