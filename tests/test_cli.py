@@ -7,44 +7,20 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
-from enum import StrEnum
+from dataclasses import replace
 from pathlib import Path
-from types import ModuleType, SimpleNamespace
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 import swerve
-from swerve.cli import Progress, main
-from swerve.errors import InputError
+from swerve.cli import main
+from swerve.report import ablation_table
 from swerve.scenario import Scenario, library_names
+from tests.report.results import ABLATION, RESULT
 
 Outputs = pytest.CaptureFixture[str]
-
-RESULT = {
-    "decision": "steer-left",
-    "min_distance_ratio": 1.0123,
-    "min_clearance": None,
-    "lateral_offset": {"min": -0.1, "max": 3.0, "final": 0.01},
-    "speed": {"min": 18.0, "max": 20.0, "final": 20.0},
-    "max_sideslip": 0.05,
-    "step_time": {"median": 0.0015, "p99": 0.004, "max": 0.01},
-    "steps": 100,
-    "fallback_steps": 0,
-    "solver_failures": 0,
-}
-
-
-class Outcome(StrEnum):
-    """Two of the outcomes that the simulation knows."""
-
-    AVOIDED = "avoided"
-    COLLIDED = "collided"
-
-    @property
-    def sentence(self) -> str:
-        """What happened."""
-        return "it is a sentence"
 
 
 class FakeSimulation:
@@ -63,32 +39,22 @@ class FakeSimulation:
         progress(0.5)
         self.calls.append((scenario, controller, plant, seed))
         names = {"scenario": scenario.name, "controller": controller, "plant": plant, "seed": seed}
-        result = RESULT | names | {"outcome": "avoided"}
-        return SimpleNamespace(result=SimpleNamespace(to_json=lambda: result, outcome=Outcome.AVOIDED))
+        return SimpleNamespace(result=replace(RESULT, **names))
 
 
 @pytest.fixture
 def simulation(monkeypatch: pytest.MonkeyPatch) -> FakeSimulation:
-    """The command line with a fake simulation below it and a report that writes one file."""
+    """The command line with a fake simulation below it, and a report that writes one file."""
     fake = FakeSimulation()
-    simulate: Any = ModuleType("swerve.simulate")
-    simulate.CONTROLLERS, simulate.DEFAULT_CONTROLLER = ("unified", "as-printed"), "unified"
-    simulate.PLANTS, simulate.DEFAULT_PLANT = ("planar",), "planar"
-    simulate.Outcome, simulate.run = Outcome, fake
-    report: Any = ModuleType("swerve.report")
 
-    def prepare_output(directory: Path) -> None:
-        if directory.name == "taken":
-            raise InputError(f"--out {directory}: not empty")
-
-    def write_run(run: object, directory: Path) -> list[Path]:
+    def write_run(run: object, directory: Path, progress: Callable[[float], None]) -> list[Path]:
         directory.mkdir()
         (directory / "result.json").touch()
+        progress(1.0)
         return [directory / "result.json"]
 
-    report.prepare_output, report.write_run = prepare_output, write_run
-    monkeypatch.setitem(sys.modules, "swerve.simulate", simulate)
-    monkeypatch.setitem(sys.modules, "swerve.report", report)
+    monkeypatch.setattr("swerve.simulate.run", fake)
+    monkeypatch.setattr("swerve.report.write_run", write_run)
     return fake
 
 
@@ -100,21 +66,10 @@ def test_a_run_is_the_paper_s_by_default(simulation: FakeSimulation, capsys: Out
 
 
 def test_a_run_s_table_is_for_people(simulation: FakeSimulation, capsys: Outputs) -> None:
-    """The table has the outcome in a sentence, distances with units, and words for what does not exist."""
+    """Without --json stdout is a table, and stderr is silent."""
     assert main(["run", "wet", "--seed", "7"]) == 0
     captured = capsys.readouterr()
-    assert captured.out.splitlines() == [
-        "scenario        wet, unified on planar, seed 7",
-        "outcome         avoided: it is a sentence",
-        "decision        steer-left",
-        "distance ratio  1.012 at the least (1 is contact)",
-        "clearance       none at the least",
-        "lateral offset  -0.10 to 3.00 m, 0.01 m at the end",
-        "speed           18.00 to 20.00 m/s (64.80 to 72.00 km/h)",
-        "sideslip        2.86 deg at the most",
-        "steps           100: 0 fallback, 0 solver failures",
-        "step time       1.50 ms median, 4.00 ms p99",
-    ]
+    assert captured.out.startswith("scenario        wet, unified on planar, seed 7\noutcome         avoided: ")
     assert captured.err == ""
 
 
@@ -160,7 +115,7 @@ def test_a_required_outcome_decides_the_status(
         (["run", "--require", "avoidd"], "--require: unknown outcome 'avoidd'; did you mean avoided?"),
         (["run", "--seed", "-1"], "argument --seed: '-1' is no seed; write a whole number"),
         (["run", "--seed", "x"], "argument --seed: 'x' is no seed; write a whole number"),
-        (["run", "--out", "taken"], "--out taken: not empty"),
+        (["run", "--out", "/dev/null/new"], "--out /dev/null/new: cannot be written: "),
         (["run", "--sed"], "unrecognized arguments: --sed"),
         (["run", "paper", "wet"], "unrecognized arguments: wet"),
         (["runn"], "invalid choice: 'runn'"),
@@ -190,18 +145,35 @@ def test_an_interrupted_run_writes_nothing(simulation: FakeSimulation, capsys: O
     assert list(tmp_path.iterdir()) == []
 
 
-def test_reproduce_prints_its_table_and_files(
-    simulation: FakeSimulation, monkeypatch: pytest.MonkeyPatch, capsys: Outputs
-) -> None:
-    """`reproduce` writes where it is told to, by default to swerve-reproduction."""
-    module: Any = ModuleType("swerve.study.reproduce")
-    module.reproduce = lambda directory, progress: SimpleNamespace(
-        table_text=lambda: "a table", paths=[directory / "table.md"]
-    )
-    monkeypatch.setitem(sys.modules, "swerve.study.reproduce", module)
+def test_reproduce_prints_its_table_and_files(monkeypatch: pytest.MonkeyPatch, capsys: Outputs, tmp_path: Path) -> None:
+    """`reproduce` writes where it is told to, by default to swerve-reproduction, and prints the ablation."""
+
+    def reproduce(progress: Callable[[float], None]) -> SimpleNamespace:
+        progress(1.0)
+        return SimpleNamespace(ablation=ABLATION)
+
+    monkeypatch.setattr("swerve.study.reproduce.reproduce", reproduce)
+    monkeypatch.setattr("swerve.report.write_reproduction", lambda it, directory, progress: [directory / "table.md"])
+    monkeypatch.chdir(tmp_path)
     assert main(["reproduce"]) == 0
-    assert capsys.readouterr().out == f"a table\nwrote {Path('swerve-reproduction') / 'table.md'}\n"
-    assert main(["reproduce", "--out", "taken"]) == 2
+    assert main(["reproduce", "--out", "there"]) == 0
+    table = ablation_table(ABLATION)
+    written = [f"{table}\nwrote {Path(name) / 'table.md'}\n" for name in ("swerve-reproduction", "there")]
+    assert capsys.readouterr().out == "".join(written)
+
+
+def test_output_that_cannot_be_written_is_told_before_anything_is_run(
+    simulation: FakeSimulation, capsys: Outputs, tmp_path: Path
+) -> None:
+    """Where --out names a file, `run` and `reproduce` end with status 2 at once, and the file stays."""
+    (tmp_path / "file").write_text("mine")
+    for command in ("run", "reproduce"):
+        assert main([command, "--out", str(tmp_path / "file")]) == 2
+        captured = capsys.readouterr()
+        assert captured.out == ""
+        assert captured.err.startswith(f"swerve: error: --out {tmp_path / 'file'}: cannot be written: File exists; ")
+    assert simulation.calls == []
+    assert (tmp_path / "file").read_text() == "mine"
 
 
 def test_scenarios_are_listed(capsys: Outputs) -> None:
@@ -228,66 +200,6 @@ def test_the_version_is_the_package_s(capsys: Outputs) -> None:
     """--version prints the version of the package."""
     assert main(["--version"]) == 0
     assert capsys.readouterr().out == f"swerve {swerve.__version__}\n"
-
-
-class FakeStream:
-    """A stream that remembers; a terminal if told so."""
-
-    def __init__(self, *, terminal: bool) -> None:
-        self.text = ""
-        self._terminal = terminal
-
-    def isatty(self) -> bool:
-        """Whether it is a terminal."""
-        return self._terminal
-
-    def write(self, text: str) -> int:
-        """Remember the text."""
-        self.text += text
-        return len(text)
-
-    def flush(self) -> None:
-        """Nothing to do."""
-
-
-@pytest.fixture
-def clock(monkeypatch: pytest.MonkeyPatch) -> SimpleNamespace:
-    """The clock that progress looks at, set by hand [s]."""
-    hand = SimpleNamespace(now=100.0)
-    monkeypatch.setattr("swerve.cli.time", SimpleNamespace(monotonic=lambda: hand.now))
-    return hand
-
-
-def _progress(clock: SimpleNamespace, *, terminal: bool) -> str:
-    """What is shown of work that takes 20 s and tells of itself every 10 ms."""
-    stream: Any = FakeStream(terminal=terminal)
-    with Progress(stream) as progress:
-        for step in range(2000):
-            progress(step / 2000)
-            clock.now += 0.01
-    return str(stream.text)
-
-
-def test_progress_in_a_file_is_plain_lines(clock: SimpleNamespace) -> None:
-    """Where stderr is no terminal, progress is a line after a second and then one every five, without control codes."""
-    assert _progress(clock, terminal=False).splitlines() == [f"swerve: {p}% done" for p in (5, 30, 55, 80)]
-
-
-def test_progress_on_a_terminal_goes_away(clock: SimpleNamespace) -> None:
-    """On a terminal, progress is one line that renews itself and is wiped at the end."""
-    text = _progress(clock, terminal=True)
-    assert "\n" not in text
-    assert "\rswerve:  50%" in text
-    assert re.search(r"\r +\r$", text)
-
-
-def test_quick_work_shows_no_progress(clock: SimpleNamespace) -> None:
-    """Work of less than a second is silent."""
-    stream: Any = FakeStream(terminal=True)
-    with Progress(stream) as progress:
-        clock.now += 0.9
-        progress(0.9)
-    assert stream.text == ""
 
 
 CONTRACT_KEYS = {

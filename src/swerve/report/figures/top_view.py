@@ -109,7 +109,7 @@ def _label_instants(axes: Axes, view: View, scale: float, half_width: float) -> 
 def _label(axes: Axes, time: float, position: Array, away: Array, color: str) -> None:
     """The time [s] beside a position (2,) [m], in the direction `away` (2,) from it."""
     axes.annotate(
-        f"{time:.0f} s",
+        f"{time:g} s",
         (position[0], position[1]),
         (LABEL_OFFSET * away[0], LABEL_OFFSET * away[1]),
         textcoords="offset points",

@@ -77,7 +77,7 @@ def within(values: Array, low: float, high: float) -> NDArray[np.bool_]:
 
 
 def _every(times: Array) -> NDArray[np.intp]:
-    """The rows nearest to every quarter of a second."""
+    """The rows at, or first after, every quarter of a second."""
     wanted = np.arange(0.0, times[-1] + EVERY / 2, EVERY)
     after = np.clip(np.searchsorted(times, wanted - 1e-9), 0, len(times) - 1)
     return np.unique(after)
