@@ -9,7 +9,7 @@ PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test lint bench docs clean
+.PHONY: help demo test lint bench numbers docs clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST) | expand -t 14
@@ -28,6 +28,11 @@ lint: $(VENV)/.installed-dev ## check style, format, types and the layers' impor
 
 bench: $(VENV)/.installed ## time the controller's step, part by part, and its peers
 	$(BIN)/python -m bench
+
+numbers: $(VENV)/.installed ## measure the tables and figures that the documentation shows
+	$(BIN)/swerve reproduce --out build/paper
+	mkdir -p docs/measured
+	cp build/paper/ablation.md build/paper/*.png docs/measured/
 
 docs: $(VENV)/.installed-docs ## build the documentation into site/
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict

@@ -25,6 +25,7 @@ REPRODUCE_SHARE: Final = 0.8  # likewise of a reproduction [1]
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line `argv`, that of the process by default, and return the exit status."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: a second thread only makes them wait
     try:
         status = _command(argv)
         sys.stdout.flush()

@@ -11,6 +11,7 @@ from swerve.world import Ellipse, Footprint, Obstacle, Road, clearance, distance
 Array = NDArray[np.float64]
 
 SPIN_SIDESLIP = np.pi / 4  # [rad] the vehicle points this far away from where it goes: lost
+ABSURD = 1e6  # [SI] a speed, rate, angle or position beyond it is a simulation that diverged
 SPIN_SPEED = 2.0  # [m/s] below, a sideslip angle means little
 
 
@@ -30,7 +31,7 @@ class Outcome(Enum):
 
 
 _SENTENCES = {
-    Outcome.DIVERGED: "The simulated motion stopped being a number.",
+    Outcome.DIVERGED: "The simulated motion grew beyond all bounds.",
     Outcome.COLLIDED: "The vehicle touched an obstacle.",
     Outcome.LEFT_ROAD: "The vehicle crossed the edge of the road.",
     Outcome.SPUN: "The vehicle turned more than 45 degrees away from where it was going.",
@@ -56,6 +57,12 @@ def sideslip(states: Array) -> Array:
     return angle
 
 
+def n_sane(states: Array) -> int:
+    """How many rows of (n, 6) come before the first that is no vehicle's any more: nan, or beyond ABSURD."""
+    sane = (np.abs(states) < ABSURD).all(axis=1)
+    return len(states) if sane.all() else int(np.argmin(sane))
+
+
 def decide(states: Array, contact: NDArray[np.bool_], poses: Array, road: Road, footprint: Footprint) -> Outcome:
     """The verdict.
 
@@ -66,7 +73,7 @@ def decide(states: Array, contact: NDArray[np.bool_], poses: Array, road: Road, 
         road: with edges or without.
         footprint: of the ego vehicle.
     """
-    if not np.isfinite(states).all():
+    if n_sane(states) < len(states):
         return Outcome.DIVERGED
     if contact.any():
         return Outcome.COLLIDED

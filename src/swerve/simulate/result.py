@@ -13,7 +13,7 @@ from swerve.scenario import Scenario
 from swerve.signals import Command
 from swerve.simulate.decision import decision
 from swerve.simulate.log import Log
-from swerve.simulate.outcome import Outcome, decide, ratio_to, sideslip, touches
+from swerve.simulate.outcome import Outcome, decide, n_sane, ratio_to, sideslip, touches
 from swerve.world import clearance
 
 Array = NDArray[np.float64]
@@ -116,7 +116,9 @@ def evaluate(
 ) -> Result:
     """Measure a run that is over."""
     motion, times = log.motion, log.motion["time"]
-    states, poses = motion.stack("vx", "vy", "r", "psi", "X", "Y"), motion.stack("X", "Y", "psi")
+    states = motion.stack("vx", "vy", "r", "psi", "X", "Y")
+    n = n_sane(states)
+    times, poses = times[:n], motion.stack("X", "Y", "psi")[:n]
     footprint, vehicle = scenario.ego.to_footprint(), scenario.ego.to_vehicle()
     obstacles = [obstacle.to_world() for obstacle in scenario.obstacles]
     contact = np.array([touches(each, footprint, poses, times) for each in obstacles]).reshape(-1, len(times))
