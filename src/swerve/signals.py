@@ -6,12 +6,14 @@ Each is frozen; the arrays inside are read-only by agreement.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from swerve.conventions import DELTA, FORCES, N_INPUTS
 from swerve.world import Obstacle, Shape
 
 Array = NDArray[np.float64]
+
+ABSURD = 1e5  # [SI] no position, speed, angle, load or time that is larger is one
 
 
 @dataclass(frozen=True)
@@ -57,8 +59,8 @@ class Observation:
 
     @property
     def is_finite(self) -> bool:
-        """Whether every number in it is finite."""
-        return bool(np.isfinite([*self.position, *self.velocity, self.heading]).all())
+        """Whether every number in it is finite, and none larger than ABSURD."""
+        return _is_sane([*self.position, *self.velocity, self.heading])
 
     def as_obstacle(self) -> Obstacle:
         """The obstacle that keeps on as seen; ValueError when a number is not finite."""
@@ -85,6 +87,11 @@ class Measurement:
 
     @property
     def is_finite(self) -> bool:
-        """Whether every number in it is finite."""
-        own = np.isfinite(self.state).all() and np.isfinite(self.wheel_loads).all()
-        return bool(own) and all(seen.is_finite for seen in self.obstacles)
+        """Whether every number in it is finite, and none larger than ABSURD."""
+        own = np.concatenate([self.state, self.wheel_loads, (self.time, self.stamp)])
+        return _is_sane(own) and all(seen.is_finite for seen in self.obstacles)
+
+
+def _is_sane(numbers: ArrayLike) -> bool:
+    """Whether all are finite and no larger than ABSURD; a comparison with nan is false."""
+    return bool((np.abs(numbers) <= ABSURD).all())

@@ -118,9 +118,7 @@ def test_a_compiler_that_fails_costs_speed_only(
 
 @pytest.mark.skipif(os.name != "posix", reason="permission bits")
 @pytest.mark.parametrize("mode", [0o770, 0o707, 0o777])
-def test_a_folder_that_others_can_write_to_is_refused(
-    cache: Path, caplog: pytest.LogCaptureFixture, mode: int
-) -> None:
+def test_a_folder_that_others_can_write_to_is_refused(cache: Path, caplog: pytest.LogCaptureFixture, mode: int) -> None:
     """Code that anyone could have put there is not loaded: a warning that says the cure, and an uncompiled kernel."""
     cache.mkdir()
     cache.chmod(mode)

@@ -62,7 +62,9 @@ def test_all_kernels_of_a_run_agree_to_the_last_bit(controller: str, monkeypatch
         fast, slow = Kernel(function), uncompiled(monkeypatch, lambda function=function: Kernel(function))
         assert (fast.is_compiled, slow.is_compiled) == (True, False)
         for arguments in known[:20]:
-            near = [each * random.uniform(0.5, 1.5, each.shape) + random.normal(0.0, 0.1, each.shape) for each in arguments]
+            near = [
+                each * random.uniform(0.5, 1.5, each.shape) + random.normal(0.0, 0.1, each.shape) for each in arguments
+            ]
             for point in (arguments, near):
                 for compiled, interpreted in zip(fast(*point), slow(*point), strict=True):
                     np.testing.assert_array_equal(compiled, interpreted)
@@ -130,7 +132,9 @@ def test_nan_passes_through(kernels: tuple[Kernel, Kernel]) -> None:
             np.testing.assert_array_equal(each, known)
 
 
-@pytest.mark.parametrize("arguments", [(np.zeros(3),), (np.zeros(3), np.zeros((2, 3)), 1.0), (np.zeros(4), np.zeros((2, 3)))])
+@pytest.mark.parametrize(
+    "arguments", [(np.zeros(3),), (np.zeros(3), np.zeros((2, 3)), 1.0), (np.zeros(4), np.zeros((2, 3)))]
+)
 def test_misuse_is_refused(kernels: tuple[Kernel, Kernel], arguments: tuple[np.ndarray, ...]) -> None:
     """Too few arguments, too many, or one of the wrong length are an error, not a wrong number."""
     with pytest.raises(ValueError):

@@ -36,7 +36,9 @@ def test_steering_is_named_by_the_side(side: Side, found: str) -> None:
     assert word((steer(0.009), side), (steer(-0.009), side)) == "none"
 
 
-@pytest.mark.parametrize(("share", "n", "found"), [(-0.21, 2, "brake"), (-0.19, 2, "none"), (-0.5, 1, "none"), (0.5, 9, "none")])
+@pytest.mark.parametrize(
+    ("share", "n", "found"), [(-0.21, 2, "brake"), (-0.19, 2, "none"), (-0.5, 1, "none"), (0.5, 9, "none")]
+)
 def test_braking_is_deceleration_that_lasts(share: float, n: int, found: str) -> None:
     """More than a fifth of the grip for a tenth of a second is braking; less, shorter, or driving is not."""
     assert word(*n * [(steer(0.0, share * GRIP), LEFT)], (COAST, LEFT)) == found

@@ -48,7 +48,9 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[tuple[PlantState, Command]]
     monkeypatch.setitem(
         PLANTS,
         "counted",
-        lambda scenario: Counted(scenario.ego.to_vehicle(), scenario.road.friction, scenario.plant.step, scenario.n_substeps),
+        lambda scenario: Counted(
+            scenario.ego.to_vehicle(), scenario.road.friction, scenario.plant.step, scenario.n_substeps
+        ),
     )
     return Counted.calls
 
@@ -123,7 +125,9 @@ def test_the_log_keeps_what_was_commanded(fake: list[FakeController]) -> None:
 
     CONTROLLERS["fake"] = make  # taken back by the fixture
     done = run(scenario, "fake")
-    np.testing.assert_array_equal(done.log.steps.stack("delta", "Fx_fl", "Fx_fr", "Fx_rl", "Fx_rr")[3], [0.02, 1, 2, 3, 4])
+    np.testing.assert_array_equal(
+        done.log.steps.stack("delta", "Fx_fl", "Fx_fr", "Fx_rl", "Fx_rr")[3], [0.02, 1, 2, 3, 4]
+    )
     assert (done.log.motion["delta"] == 0.02).all()
     np.testing.assert_allclose(done.log.motion.stack("Fx_fl", "Fx_fr", "Fx_rl", "Fx_rr")[20], [1, 2, 3, 4])
 
@@ -162,14 +166,16 @@ def test_a_run_ends_where_motion_ends(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(
         PLANTS,
         "breaking",
-        lambda scenario: Breaking(scenario.ego.to_vehicle(), scenario.road.friction, scenario.plant.step, scenario.n_substeps),
+        lambda scenario: Breaking(
+            scenario.ego.to_vehicle(), scenario.road.friction, scenario.plant.step, scenario.n_substeps
+        ),
     )
     done = run(load("paper"), "fake", "breaking")
     assert done.result.outcome.value == "diverged"
     assert done.result.steps == len(done.log.steps["time"]) == 7
     assert len(done.log.motion["time"]) == 7 * 50 + 1
     assert np.isnan(done.log.motion["X"][-1])
-    assert done.result.to_json()["min_clearance"] is None
+    assert done.result.to_json()["final_yaw_rate"] is None
 
 
 @pytest.mark.parametrize("controller", CONTROLLERS)

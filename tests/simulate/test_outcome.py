@@ -13,7 +13,9 @@ OPEN = Road()
 TWO_LANES = Road(3.5)
 
 
-def verdict(states: np.ndarray, contact: bool = False, road: Road = OPEN, footprint: Point | Rectangle = CAR) -> Outcome:
+def verdict(
+    states: np.ndarray, contact: bool = False, road: Road = OPEN, footprint: Point | Rectangle = CAR
+) -> Outcome:
     """The outcome of states, with contact in their middle or without."""
     touched = np.zeros(len(states), dtype=bool)
     touched[len(states) // 2] = contact

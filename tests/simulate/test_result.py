@@ -35,7 +35,12 @@ def test_the_json_is_json() -> None:
     assert result["outcome"] == "collided"
     assert result["version"] == swerve.__version__
     assert re.fullmatch(r"\d+\.\d+.*", result["version"])
-    assert (result["scenario"], result["controller"], result["plant"], result["seed"]) == ("paper", "unified", "planar", 7)
+    assert (result["scenario"], result["controller"], result["plant"], result["seed"]) == (
+        "paper",
+        "unified",
+        "planar",
+        7,
+    )
 
 
 def test_every_documented_number_has_its_sentence() -> None:
@@ -69,11 +74,15 @@ def test_without_obstacles_there_is_no_distance() -> None:
     assert result["outcome"] == "avoided"
 
 
-@pytest.mark.parametrize(("velocity", "speed"), [("[0, 0]", 20.0), ("[12, 0]", 8.0), ("[-5, 0]", 25.0), ("[4, 12]", 20.0)])
+@pytest.mark.parametrize(
+    ("velocity", "speed"), [("[0, 0]", 20.0), ("[12, 0]", 8.0), ("[-5, 0]", 25.0), ("[4, 12]", 20.0)]
+)
 def test_impact_speed_is_relative_to_the_obstacle(velocity: str, speed: float) -> None:
     """A vehicle that runs into one that moves hits it with the difference of the velocities."""
     wide = "obstacles.0.semi_axes=[2, 90]"
-    assert recorded(straight(seconds=4.0), (wide, f"obstacles.0.velocity={velocity}")).impact_speed == pytest.approx(speed)
+    assert recorded(straight(seconds=4.0), (wide, f"obstacles.0.velocity={velocity}")).impact_speed == pytest.approx(
+        speed
+    )
 
 
 def test_impact_speed_is_that_of_the_first_contact() -> None:

@@ -26,7 +26,8 @@ def test_what_no_vehicle_has_is_refused(name: str, value: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "value"), [("cg_height", -0.1), ("force_limit", 1.0), ("steering_rate_limit", 0.0), ("steering_rate_limit", math.nan)]
+    ("name", "value"),
+    [("cg_height", -0.1), ("force_limit", 1.0), ("steering_rate_limit", 0.0), ("steering_rate_limit", math.nan)],
 )
 def test_limits_with_bounds_of_their_own(name: str, value: float) -> None:
     """A height below the ground, a force on the friction circle, an actuator that cannot move: refused."""

@@ -39,9 +39,9 @@ class Kernel:
             self._buffer.set_res(i, _bytes(array))
 
     def __call__(self, *arguments: ArrayLike) -> tuple[NDArray[np.float64], ...]:
-        """Outputs for these inputs, each of the function's own shape; a column vector is (n,)."""
+        """Outputs for these inputs, each of the function's own shape; a column is (n,), and may come as (n, 1)."""
         for buffer, argument in zip(self._inputs, arguments, strict=True):
-            buffer[...] = argument
+            buffer[...] = argument if np.ndim(argument) <= buffer.ndim else np.reshape(argument, buffer.shape)
         self._evaluate()
         return tuple(output.copy(order="K") for output in self._outputs)
 

@@ -2,14 +2,15 @@
 
 It is the controller's own model on a finer clock, so it tells what the controller does, not how well its model fits.
 Steering follows the command at the vehicle's rate limit and stops at its lock; wheel forces are there at once, as far
-as the friction circle goes. The loads are those of the step's start (with a centre of gravity at height 0: static).
+as the friction circle goes. A negative one is a brake's: against the motion, and ending with it. The loads are those
+of the step's start (with a centre of gravity at height 0: static).
 """
 
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.conventions import DELTA, N_INPUTS, N_STATES
+from swerve.conventions import DELTA, N_INPUTS, N_STATES, VX
 from swerve.kernel import Kernel
 from swerve.plant.protocol import Plant, PlantState, Trace
 from swerve.signals import Command
@@ -19,6 +20,8 @@ from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters, quasi_static_loads, symbols, two_track
 
 Array = NDArray[np.float64]
+
+STANDSTILL = 0.1  # [m/s] below this speed a brake's force falls in proportion to it
 
 N_OUTPUTS = 19  # of a step: steering, ax, ay, and for each wheel load, slip angle, Fx, Fy
 
@@ -66,7 +69,9 @@ def _step() -> ca.Function:
     lock, rate = actuator[0], actuator[1]
     wanted = ca.fmax(-lock, ca.fmin(lock, u[DELTA]))
     reached = steering + ca.fmax(-rate * h, ca.fmin(rate * h, wanted - steering))
-    acting = ca.vertcat(reached, u[1:])
+    direction = ca.fmax(-1, ca.fmin(1, xi[VX] / STANDSTILL))
+    forces = [ca.if_else(u[i] < 0, direction * u[i], u[i]) for i in range(1, N_INPUTS)]
+    acting = ca.vertcat(reached, *forces)
     loads = quasi_static_loads(xi, acting, p)
     now = two_track(xi, acting, loads, p)
     end = rk4(lambda x: ca.vertcat(*two_track(x, acting, loads, p).derivative), xi, h)

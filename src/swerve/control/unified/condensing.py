@@ -49,6 +49,10 @@ class Blocking:
         """Changes of the inputs (Np, 5) in SI for scaled free changes z (n,)."""
         return np.asarray((z.reshape(self.n_blocks, N_INPUTS) * INPUT_SCALE)[self.block])
 
+    def hold(self, inputs: Array) -> Array:
+        """Inputs (Np, 5) with the last free one held from there on."""
+        return np.asarray(inputs[self.block])
+
     def free(self, inputs: Array) -> Array:
         """The free ones (Nc, 5) of inputs (Np, 5), in SI."""
         return inputs[: self.n_blocks]

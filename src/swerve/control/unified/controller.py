@@ -38,8 +38,6 @@ from swerve.world import Footprint
 Array = NDArray[np.float64]
 
 
-
-
 class UnifiedController(Controller[Memory]):
     """Collision avoidance by sequential convex programming, for one vehicle on a road of known friction."""
 
@@ -76,16 +74,21 @@ class UnifiedController(Controller[Memory]):
     def start(self) -> Memory:
         """Wheels straight, no force, no plan."""
         nothing = (np.zeros(N_INPUTS),) * n_commands(self._latency, self._horizon.sample_time)
-        return Memory(nothing, {}, {}, None, None, 0)
+        return Memory(nothing, {}, {}, Side.LEFT, None, None, 0)
 
     def step(self, measurement: Measurement, memory: Memory) -> tuple[Command, Plan, Memory]:
         """One sample: both sides improved, the better one taken, its first input commanded."""
+        with np.errstate(all="ignore"):  # a motion that diverges scores inf, and a program with nan fails
+            return self._step(measurement, memory)
+
+    def _step(self, measurement: Measurement, memory: Memory) -> tuple[Command, Plan, Memory]:
         reason = self._unusable(measurement)
         if reason is not None:
             return self._fall_back(measurement.time, reason, memory)
         sides = self._plan_sides(measurement, memory)
         if not any(plan.n_solved for plan in sides.values()):
-            return self._fall_back(measurement.time, Fallback.NO_SOLUTION, memory, len(sides))
+            n_failed = sum(plan.n_failed for plan in sides.values())
+            return self._fall_back(measurement.time, Fallback.NO_SOLUTION, memory, n_failed)
         return self._take(measurement.time, sides, memory)
 
     def _plan_sides(self, measurement: Measurement, memory: Memory) -> dict[Side, SidePlan]:
@@ -94,7 +97,7 @@ class UnifiedController(Controller[Memory]):
         Where no obstacle is in reach of a plan both sides are one program, solved once; beside a committed side that
         is clear the other one is a spare.
         """
-        first = memory.committed or Side.LEFT
+        first = memory.taken
         situation = self._situation(first, measurement, memory)
         step = self._shifted(situation, memory)
         is_shared = not situation.is_near(step)
@@ -170,7 +173,7 @@ class UnifiedController(Controller[Memory]):
         return (
             Command.from_input(plan.inputs[0]),
             plan,
-            Memory(memory.after(plan.inputs[0]), inputs, trust, taken.side if is_shaped else None, plan, 0),
+            Memory(memory.after(plan.inputs[0]), inputs, trust, taken.side, taken.side if is_shaped else None, plan, 0),
         )
 
     def _unusable(self, measurement: Measurement) -> Fallback | None:

@@ -18,7 +18,8 @@ class Memory:
         commands: (5,) inputs that were given, the last one first; as many as still matter.
         inputs: for each side, the last plan's inputs (Np, 5); a side that was never planned is absent.
         trust: for each side, size of the trust region as a share of the full one [1].
-        committed: the side taken while an obstacle shaped the plan.
+        taken: the side taken last.
+        committed: that side, if an obstacle shaped its plan.
         plan: the last plan that was no fallback.
         age: samples since that plan [1].
     """
@@ -26,6 +27,7 @@ class Memory:
     commands: tuple[Array, ...]
     inputs: dict[Side, Array]
     trust: dict[Side, float]
+    taken: Side
     committed: Side | None
     plan: Plan | None
     age: int

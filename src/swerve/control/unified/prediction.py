@@ -84,7 +84,8 @@ class PredictionModel:
 
     def roll_out(self, start: Array, inputs: Array, loads: Array) -> Trajectory:
         """The motion from state `start` (6,) under `inputs` (Np, 5), with wheel loads (4,) [N] held."""
-        states, outputs, demand = self._roll_out(start, inputs.T, loads, self._parameters, self.horizon.sample_time)
+        answer = self._roll_out(start, inputs.T, loads, self._parameters, self.horizon.sample_time)
+        states, outputs, demand = (rows.reshape(-1, len(inputs), order="F") for rows in answer)
         all_states = np.vstack([start, states.T])
         poses = np.empty((2 * len(inputs) + 1, 3))
         poses[0::2] = all_states[:, POSE]

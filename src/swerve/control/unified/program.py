@@ -58,11 +58,11 @@ class Program:
     soft: Sequence[SoftLimit]
 
     def clip(self, inputs: Array) -> Array:
-        """Inputs (Np, 5) within the box and the hard limits."""
+        """Inputs (Np, 5) within the box and the hard limits, the last free one held."""
         clipped = self.box.clip(inputs)
         for limit in self.hard:
             clipped = limit.clip(clipped)
-        return clipped
+        return self.box.blocking.hold(clipped)
 
     def score(self, trajectory: Trajectory) -> Score:
         """Cost and violations of a trajectory, without any linearisation; infinite where the model diverged."""

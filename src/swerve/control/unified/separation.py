@@ -1,12 +1,13 @@
 """Lines that separate the footprint from an obstacle, on a given side, so that nothing cuts between two poses.
 
-A point and an ellipse: one tangent a pose, where the ray from the centre leaves the ellipse (in the scaled plane in
-which the ellipse is the unit circle). Two points outside a circle of radius 1 / cos(phi / 2), seen from its centre
-under an angle phi, have a chord outside the unit circle: so far the ellipse is blown up.
+A point and an ellipse that takes several poses to pass: one tangent a pose, where the ray from the centre leaves the
+ellipse (in the scaled plane in which the ellipse is the unit circle). Two points outside a circle of radius
+1 / cos(phi / 2), seen from its centre under an angle phi, have a chord outside the unit circle: so far the ellipse is
+blown up.
 
-Rectangles: one line for each pair of neighbouring poses, both behind it, so that the straight motion between them is
-too. Of the normals of all faces that with the widest gap is taken: two convex polygons are apart exactly when one of
-their face normals separates them (separating axis theorem).
+Rectangles, and ellipses that one step could leap over: one line for each pair of neighbouring poses, both behind it, so
+that the straight motion between them is too. Of the normals of all faces that with the widest gap is taken: two convex
+polygons are apart exactly when one of their face normals separates them (separating axis theorem).
 
 A line for passing on the left never pushes to the right: n_Y >= 0 in world axes; n_Y = 0 says stay behind or ahead.
 """
@@ -22,7 +23,10 @@ from swerve.world import Ellipse, Footprint, Obstacle, Point, Rectangle
 Array = NDArray[np.float64]
 
 AXES = np.array([[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])
-COSINE_OF_CHORD = 0.0  # [1] of the widest chord: neighbours further apart lead through the obstacle, not past it
+LONGEST_STEP = (
+    1.0  # [1] of neighbours in the scaled plane; outside the unit circle they are then less than 60 deg apart
+)
+COSINE_OF_CHORD = 0.5  # [1] of the widest chord: neighbours further apart are inside, and kept out as they are
 SMALLEST = 1e-12  # [1] keeps a pose in the obstacle's centre from dividing by zero
 
 
@@ -50,7 +54,10 @@ def separating_planes(obstacle: Obstacle, footprint: Footprint, poses: Array, si
         side: on which the obstacle is passed.
     """
     if isinstance(obstacle.shape, Ellipse) and isinstance(footprint, Point):
-        return _tangents(obstacle.heading, np.asarray(obstacle.shape.semi_axes), poses, side)
+        scaled = _turned(poses[:, :2], -obstacle.heading) / obstacle.shape.semi_axes
+        steps = scaled[1:] - scaled[:-1]
+        if (steps * steps).sum(axis=1).max() <= LONGEST_STEP**2:
+            return _tangents(obstacle.heading, np.asarray(obstacle.shape.semi_axes), scaled, side)
     return _shared(obstacle, footprint, poses, side)
 
 
@@ -72,9 +79,8 @@ def footprint_reach(footprint: Footprint, normals: Array, headings: Array) -> tu
     return footprint.support(towards), turning
 
 
-def _tangents(heading: float, semi_axes: Array, poses: Array, side: Side) -> Planes:
-    """One tangent for each pose but the first."""
-    scaled = _turned(poses[:, :2], -heading) / semi_axes
+def _tangents(heading: float, semi_axes: Array, scaled: Array, side: Side) -> Planes:
+    """One tangent for each pose but the first; `scaled` (n, 2) are the poses in the plane of the unit circle."""
     distance = np.hypot(scaled[:, 0], scaled[:, 1])
     cosine = (scaled[1:] * scaled[:-1]).sum(axis=1) / np.maximum(distance[1:] * distance[:-1], SMALLEST)
     narrowest = np.maximum(cosine, COSINE_OF_CHORD)
@@ -87,7 +93,7 @@ def _tangents(heading: float, semi_axes: Array, poses: Array, side: Side) -> Pla
     normal = _to_side(_turned(outwards / length[:, np.newaxis], heading), side)
     across = _turned(normal, -heading) * semi_axes
     reach = np.hypot(across[:, 0], across[:, 1])
-    return Planes(np.arange(1, len(poses)), normal, reach * blown_up)
+    return Planes(np.arange(1, len(scaled)), normal, reach * blown_up)
 
 
 def _shared(obstacle: Obstacle, footprint: Footprint, poses: Array, side: Side) -> Planes:
@@ -110,13 +116,14 @@ def _smaller_gap(footprint: Footprint, normals: Array, reach: Array, poses: Arra
 
 
 def _candidates(obstacle: Obstacle, footprint: Footprint, poses: Array, side: Side) -> list[Array]:
-    """Normals (n, 2) worth trying at each pose: away from the obstacle's centre, and those of all faces."""
+    """Normals (n, 2) worth trying at each pose: away from the obstacle's centre, to the side, those of all faces."""
     extent = obstacle.shape.support(AXES[:2])
     if isinstance(footprint, Rectangle):
         extent = extent + footprint.width / 2
     away = _turned(poses[:, :2], -obstacle.heading) / extent**2
     away[~away.any(axis=1)] = AXES[2]
     candidates = [_turned(away / np.hypot(away[:, 0], away[:, 1])[:, np.newaxis], obstacle.heading)]
+    candidates.append(np.broadcast_to(side.value * AXES[1], (len(poses), 2)))
     if isinstance(obstacle.shape, Rectangle):
         candidates += [np.broadcast_to(_turned(axis, obstacle.heading), (len(poses), 2)) for axis in AXES]
     if isinstance(footprint, Rectangle):
