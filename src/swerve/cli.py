@@ -88,6 +88,12 @@ def _parser() -> argparse.ArgumentParser:
     scenarios.set_defaults(call=_scenarios)
     scenarios.add_argument("--json", action="store_true", help="print the list as JSON")
 
+    fit_tyre = commands.add_parser("fit-tyre", help="fit a tyre to data", allow_abbrev=False)
+    fit_tyre.set_defaults(call=_fit_tyre)
+    fit_tyre.add_argument("data", type=Path, metavar="DATA", help="tyre data in a .csv or .tir file")
+    fit_tyre.add_argument("--json", action="store_true", help="print the fit as one JSON object")
+    fit_tyre.add_argument("--out", type=Path, metavar="FILE", help="write the tyre there, for a scenario's ego.tyre")
+
     reproduce = commands.add_parser("reproduce", help="make the paper's tables and figures", allow_abbrev=False)
     reproduce.set_defaults(call=_reproduce)
     reproduce.add_argument(
@@ -140,6 +146,22 @@ def _scenarios(options: argparse.Namespace) -> int:
     width = max(len(each.name) for each in library)
     for each in library:
         print(f"{each.name:{width}}  {each.description}")
+    return 0
+
+
+def _fit_tyre(options: argparse.Namespace) -> int:
+    from swerve.report.tyre import fitted_tyre, prepare_tyre_file, tyre_json, tyre_table, write_tyre
+    from swerve.vehicle.fitting import fit_tyre, read_tyre_data
+
+    data = read_tyre_data(options.data)
+    if options.out is not None:
+        prepare_tyre_file(options.out)
+    fit = fit_tyre(data)
+    tyre = fitted_tyre(fit, (options.out or options.data).stem)
+    if options.out is not None:
+        write_tyre(tyre, options.out)
+    print(tyre_json(fit, tyre) if options.json else tyre_table(fit, tyre))
+    _print_paths([options.out] if options.out else [], sys.stderr if options.json else sys.stdout)
     return 0
 
 

@@ -1,20 +1,21 @@
 """From a library name or a TOML file, and the overrides on it, to a checked scenario."""
 
-import tomllib
 from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from pydantic import ValidationError
 
 from swerve.errors import InputError, nearest, one_line
+from swerve.scenario.document import read_document, tables_of
 from swerve.scenario.overrides import apply, parse_override
 from swerve.scenario.problems import input_error
 from swerve.scenario.scenario import Scenario
+from swerve.scenario.tyre import FOLDER
 
 LIBRARY: Final = files("swerve.scenario") / "library"
-LARGEST_FILE: Final = 1_000_000  # [byte]
+CONTENTS: Final = "a scenario has name, duration, [road], [ego] and [goal] at least"
 
 
 def library_names() -> list[str]:
@@ -37,7 +38,9 @@ def load(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Scenario:
     """
     given = str(name_or_path)
     if isinstance(name_or_path, Path) or given.endswith(".toml") or given != Path(given).name:
-        return parse(_read(Path(given)), one_line(given), overrides)
+        path = Path(given)
+        content = read_document(path, "scenario", "write a TOML file's path, or a name that `swerve scenarios` lists")
+        return parse(content, one_line(given), overrides, path.parent)
     names = library_names()
     if given not in names:
         guess = nearest(given, names)
@@ -46,44 +49,23 @@ def load(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Scenario:
     return parse((LIBRARY / f"{given}.toml").read_bytes(), f"{given}.toml", overrides)
 
 
-def parse(content: bytes, file: str, overrides: Sequence[str] = ()) -> Scenario:
-    """The scenario in the bytes of a TOML document; `file` is what messages call it.
+def parse(content: bytes, file: str, overrides: Sequence[str] = (), folder: Path | None = None) -> Scenario:
+    """The scenario in the bytes of a TOML document.
+
+    Args:
+        content: of the document.
+        file: what messages call it.
+        overrides: each KEY=VALUE, applied in order.
+        folder: where the files that it names are looked for before the working directory.
 
     Raises:
         InputError: it is not UTF-8, not TOML, or not a scenario.
     """
-    tables = _tables(content, file)
+    tables = tables_of(content, file, CONTENTS)
     parsed = [parse_override(text) for text in overrides]
     for override in parsed:
         tables = apply(override, tables)
     try:
-        return Scenario.model_validate(tables)
+        return Scenario.model_validate(tables, context={FOLDER: folder})
     except ValidationError as error:
-        raise input_error(error, file, parsed) from error
-
-
-def _read(path: Path) -> bytes:
-    try:
-        with path.open("rb") as stream:
-            content = stream.read(LARGEST_FILE + 1)
-    except (OSError, ValueError) as error:  # ValueError: a path that no file system can hold
-        reason = getattr(error, "strerror", None) or str(error)
-        cure = "write a TOML file's path, or a name that `swerve scenarios` lists"
-        raise InputError(f"{one_line(str(path))}: cannot be read: {reason}; {cure}") from error
-    if len(content) > LARGEST_FILE:
-        raise InputError(f"{one_line(str(path))}: no scenario file: larger than {LARGEST_FILE} bytes")
-    return content
-
-
-def _tables(content: bytes, file: str) -> dict[str, Any]:
-    try:
-        tables = tomllib.loads(content.decode("utf-8-sig"))
-    except UnicodeDecodeError as error:
-        raise InputError(f"{file}: not UTF-8 text, at byte {error.start}; save it as UTF-8") from error
-    except RecursionError as error:
-        raise InputError(f"{file}: not valid TOML: nested too deep") from error
-    except ValueError as error:  # TOMLDecodeError, with line and column; or a whole number of thousands of digits
-        raise InputError(f"{file}: not valid TOML: {one_line(str(error), 120)}") from error
-    if not tables:
-        raise InputError(f"{file}: empty; a scenario has name, duration, [road], [ego] and [goal] at least")
-    return tables
+        raise input_error(error, Scenario, file, parsed) from error
