@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 
 LONGEST_SHOWN = 80  # characters of a user's word that a message repeats
+LONGEST_PATH = 160  # characters of a path
 
 
 class SwerveError(Exception):
@@ -18,6 +19,12 @@ def one_line(text: str, longest: int = LONGEST_SHOWN) -> str:
     """A user's own word as a message repeats it: no control characters, no more than `longest` characters."""
     safe = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text[:longest])
     return safe if len(text) <= longest else safe[: longest - 3] + "..."
+
+
+def shown_path(path: object) -> str:
+    """A path as a message repeats it; of a long one the end, which has the file's name."""
+    safe = one_line(str(path), len(str(path)))
+    return safe if len(safe) <= LONGEST_PATH else "..." + safe[3 - LONGEST_PATH :]
 
 
 def shown(value: object) -> str:

@@ -7,7 +7,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Final
 
-from swerve.errors import InputError, one_line
+from swerve.errors import InputError, shown_path
 
 PARTIAL: Final = ".swerve-partial-"  # begins the name of the directory in which files are made
 
@@ -28,7 +28,7 @@ def prepare_output(directory: Path) -> None:
     except (OSError, ValueError) as error:  # ValueError: a path that no file system can hold
         reason = getattr(error, "strerror", None) or str(error)
         cure = "write the path of a new or existing directory that you can write to"
-        raise InputError(f"--out {one_line(str(directory))}: cannot be written: {reason}; {cure}") from error
+        raise InputError(f"--out {shown_path(directory)}: cannot be written: {reason}; {cure}") from error
 
 
 @contextmanager

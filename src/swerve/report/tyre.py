@@ -8,7 +8,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from swerve import __version__
-from swerve.errors import InputError, one_line
+from swerve.errors import InputError, one_line, shown_path
 from swerve.report.output import filled, prepare_output
 from swerve.scenario.tyre import TyreSettings
 from swerve.vehicle.fitting import LoadFit, TyreFit
@@ -24,9 +24,9 @@ def prepare_tyre_file(path: Path) -> None:
         InputError: it cannot, or does not end in .toml.
     """
     if path.suffix != SUFFIX:
-        raise InputError(f"--out {one_line(str(path))}: does not end in {SUFFIX}; write a name that does")
+        raise InputError(f"--out {shown_path(path)}: does not end in {SUFFIX}; write a name that does")
     if path.is_dir():
-        raise InputError(f"--out {one_line(str(path))}: is a directory; write the path of a file")
+        raise InputError(f"--out {shown_path(path)}: is a directory; write the path of a file")
     prepare_output(path.parent)
 
 

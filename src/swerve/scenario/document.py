@@ -4,7 +4,7 @@ import tomllib
 from pathlib import Path
 from typing import Any, Final
 
-from swerve.errors import InputError, one_line
+from swerve.errors import InputError, one_line, shown_path
 
 LARGEST_FILE: Final = 1_000_000  # [byte]
 
@@ -25,9 +25,9 @@ def read_document(path: Path, kind: str, cure: str) -> bytes:
             content = stream.read(LARGEST_FILE + 1)
     except (OSError, ValueError) as error:  # ValueError: a path that no file system can hold
         reason = getattr(error, "strerror", None) or str(error)
-        raise InputError(f"{one_line(str(path))}: cannot be read: {reason}; {cure}") from error
+        raise InputError(f"{shown_path(path)}: cannot be read: {reason}; {cure}") from error
     if len(content) > LARGEST_FILE:
-        raise InputError(f"{one_line(str(path))}: no {kind} file: larger than {LARGEST_FILE} bytes")
+        raise InputError(f"{shown_path(path)}: no {kind} file: larger than {LARGEST_FILE} bytes")
     return content
 
 

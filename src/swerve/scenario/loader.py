@@ -7,7 +7,7 @@ from typing import Final
 
 from pydantic import ValidationError
 
-from swerve.errors import InputError, nearest, one_line
+from swerve.errors import InputError, nearest, one_line, shown_path
 from swerve.scenario.document import read_document, tables_of
 from swerve.scenario.overrides import apply, parse_override
 from swerve.scenario.problems import input_error
@@ -40,7 +40,7 @@ def load(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Scenario:
     if isinstance(name_or_path, Path) or given.endswith(".toml") or given != Path(given).name:
         path = Path(given)
         content = read_document(path, "scenario", "write a TOML file's path, or a name that `swerve scenarios` lists")
-        return parse(content, one_line(given), overrides, path.parent)
+        return parse(content, shown_path(given), overrides, path.parent)
     names = library_names()
     if given not in names:
         guess = nearest(given, names)

@@ -9,7 +9,7 @@ from typing import Annotated, Final, Self
 import tomli_w
 from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo
 
-from swerve.errors import InputError, one_line, shown, unknown
+from swerve.errors import InputError, shown, shown_path, unknown
 from swerve.scenario.document import read_document, tables_of
 from swerve.scenario.problems import input_error
 from swerve.scenario.quantities import Name, Text, quantity
@@ -111,7 +111,7 @@ def load_tyre(path: Path) -> TyreSettings:
     Raises:
         InputError: it cannot be read, or something in it is wrong.
     """
-    file = one_line(str(path))
+    file = shown_path(path)
     cure = f"write a TOML file's path, or one of {', '.join(TYRES)}"
     tables = tables_of(read_document(path, "tyre", cure), file, CONTENTS)
     try:

@@ -19,7 +19,7 @@ from typing import Final
 
 import numpy as np
 
-from swerve.errors import InputError, nearest, one_line
+from swerve.errors import InputError, nearest, one_line, shown_path
 from swerve.units import DIMENSIONS
 from swerve.vehicle.fitting.data import TyreData, blocks_of
 from swerve.vehicle.fitting.source_file import finite_number, read_lines
@@ -45,7 +45,7 @@ def read_csv(path: Path) -> TyreData:
     Raises:
         InputError: it cannot be read, or something in it is wrong: with the line, the column and the value.
     """
-    file = one_line(str(path))
+    file = shown_path(path)
     rows = _rows(file, read_lines(path))
     number, header = next(rows)
     columns = _columns(header, f"{file}: line {number}")

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from swerve.errors import InputError, one_line
+from swerve.errors import InputError, one_line, shown_path
 from swerve.vehicle.fitting.source_file import finite_number, read_lines
 
 _NO_EQUALS: Final = re.compile(r"[A-Za-z]\w*\s+[+-]?[\d.]+(?:[eE][+-]?\d+)?\s*(?:[$!].*)?", re.ASCII)
@@ -89,8 +89,8 @@ def read_property_file(path: Path) -> PropertyFile:
             entries[key] = (*entries.get(key, ()), Entry(value.strip(), number))
         elif _NO_EQUALS.fullmatch(text):
             fault = f"no '=' in '{one_line(text, 40)}'"
-            raise InputError(f"{one_line(str(path))}: line {number}: {fault}; write KEY = value")
+            raise InputError(f"{shown_path(path)}: line {number}: {fault}; write KEY = value")
     if not (has_section and entries):
         cure = "write one with sections such as [MODEL], and KEY = value in them"
-        raise InputError(f"{one_line(str(path))}: no tyre property file; {cure}")
-    return PropertyFile(one_line(str(path)), entries)
+        raise InputError(f"{shown_path(path)}: no tyre property file; {cure}")
+    return PropertyFile(shown_path(path), entries)

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
-from swerve.errors import InputError, one_line
+from swerve.errors import InputError, shown_path
 from swerve.vehicle.fitting.csv_file import read_csv
 from swerve.vehicle.fitting.data import TyreData
 from swerve.vehicle.fitting.tir_file import read_tir
@@ -20,5 +20,5 @@ def read_tyre_data(path: Path) -> TyreData:
     """
     reader = READERS.get(path.suffix.lower())
     if reader is None:
-        raise InputError(f"{one_line(str(path))}: no tyre data by its name; write a file that ends in .csv or .tir")
+        raise InputError(f"{shown_path(path)}: no tyre data by its name; write a file that ends in .csv or .tir")
     return reader(path)

@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 from typing import Final
 
-from swerve.errors import InputError, one_line
+from swerve.errors import InputError, one_line, shown_path
 
 LARGEST_FILE: Final = 20_000_000  # [byte]
 _NUMBER: Final = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,4})?", re.ASCII)
@@ -18,7 +18,7 @@ def read_lines(path: Path) -> list[str]:
     Raises:
         InputError: it cannot be read, is too large, empty, or no text.
     """
-    file = one_line(str(path))
+    file = shown_path(path)
     try:
         with path.open("rb") as stream:
             content = stream.read(LARGEST_FILE + 1)
