@@ -7,8 +7,9 @@ from swerve.control import Controller, Goal, Horizon, Weights
 from swerve.control.as_printed import AsPrintedController, AsPrintedSettings
 from swerve.control.unified import UnifiedController, UnifiedSettings
 from swerve.errors import InputError, unknown
-from swerve.plant import PlanarPlant, Plant
+from swerve.plant import MultibodyPlant, PlanarPlant, Plant
 from swerve.scenario import Scenario
+from swerve.vehicle.multibody import completion_of
 
 
 def _shared(scenario: Scenario) -> dict[str, Any]:
@@ -34,11 +35,20 @@ def _as_printed(scenario: Scenario) -> AsPrintedController:
 
 
 def _planar(scenario: Scenario) -> PlanarPlant:
+    if scenario.road.patches:
+        raise InputError("road.patches: the planar plant has one friction for all wheels; take the multibody plant")
     return PlanarPlant(scenario.ego.to_vehicle(), scenario.road.friction, scenario.plant.step, scenario.n_substeps)
 
 
+def _multibody(scenario: Scenario) -> MultibodyPlant:
+    chassis, actuators = completion_of(scenario.ego.vehicle)
+    friction = scenario.road.to_friction()
+    clocks = scenario.plant.step, scenario.n_substeps
+    return MultibodyPlant(scenario.ego.to_vehicle(), chassis, actuators, friction, *clocks)
+
+
 CONTROLLERS: Final[dict[str, Callable[[Scenario], Controller[Any]]]] = {"unified": _unified, "as-printed": _as_printed}
-PLANTS: Final[dict[str, Callable[[Scenario], Plant]]] = {"planar": _planar}
+PLANTS: Final[dict[str, Callable[[Scenario], Plant]]] = {"planar": _planar, "multibody": _multibody}
 DEFAULT_CONTROLLER: Final = "unified"
 DEFAULT_PLANT: Final = "planar"
 
