@@ -7,16 +7,23 @@ from swerve.control import Controller, Goal, Horizon, Latency, Weights
 from swerve.control.as_printed import AsPrintedController, AsPrintedSettings
 from swerve.control.unified import UnifiedController, UnifiedSettings
 from swerve.errors import InputError, unknown
-from swerve.plant import PlanarPlant, Plant
+from swerve.plant import MultibodyPlant, PlanarPlant, Plant
 from swerve.scenario import Scenario
 from swerve.sensing import Noise, Sensor
+from swerve.vehicle.multibody import Actuators, completion_of
 
 
-def _shared(scenario: Scenario) -> dict[str, Any]:
+def _actuators(scenario: Scenario, plant: str) -> Actuators:
+    """The actuators of a plant; those of the planar one have neither lags nor limits but the vehicle's."""
+    return completion_of(scenario.ego.vehicle)[1] if plant == "multibody" else Actuators()
+
+
+def _shared(scenario: Scenario, plant: str) -> dict[str, Any]:
     """What every controller is told."""
-    settings = scenario.controller
+    settings, vehicle = scenario.controller, scenario.ego.to_vehicle()
+    rate = min(vehicle.steering_rate_limit, _actuators(scenario, plant).steering_rate_limit)
     return {
-        "vehicle": scenario.ego.to_vehicle(),
+        "vehicle": vehicle.with_changes({"steering_rate_limit": rate}),
         "friction": scenario.road.friction,
         "goal": Goal(**scenario.goal.model_dump()),
         "horizon": Horizon(settings.prediction_horizon, settings.control_horizon, settings.sample_time),
@@ -24,23 +31,33 @@ def _shared(scenario: Scenario) -> dict[str, Any]:
     }
 
 
-def _unified(scenario: Scenario) -> UnifiedController:
+def _unified(scenario: Scenario, plant: str) -> UnifiedController:
     settings = UnifiedSettings(**scenario.controller.unified.model_dump())
+    actuators = _actuators(scenario, plant)
     return UnifiedController(
         footprint=scenario.ego.to_footprint(),
-        latency=Latency(scenario.sensing.delay, 0.0),
+        latency=Latency(scenario.sensing.delay, actuators.delay + actuators.steering_lag),
         settings=settings,
-        **_shared(scenario),
+        **_shared(scenario, plant),
     )
 
 
-def _as_printed(scenario: Scenario) -> AsPrintedController:
+def _as_printed(scenario: Scenario, plant: str) -> AsPrintedController:
     settings = AsPrintedSettings(**scenario.controller.as_printed.model_dump())
-    return AsPrintedController(settings=settings, **_shared(scenario))
+    return AsPrintedController(settings=settings, **_shared(scenario, plant))
 
 
 def _planar(scenario: Scenario) -> PlanarPlant:
+    if scenario.road.patches:
+        raise InputError("road.patches: the planar plant has one friction for all wheels; take the multibody plant")
     return PlanarPlant(scenario.ego.to_vehicle(), scenario.road.friction, scenario.plant.step, scenario.n_substeps)
+
+
+def _multibody(scenario: Scenario) -> MultibodyPlant:
+    chassis, actuators = completion_of(scenario.ego.vehicle)
+    friction = scenario.road.to_friction()
+    clocks = scenario.plant.step, scenario.n_substeps
+    return MultibodyPlant(scenario.ego.to_vehicle(), chassis, actuators, friction, *clocks)
 
 
 def sensor_of(scenario: Scenario) -> Sensor:
@@ -50,17 +67,19 @@ def sensor_of(scenario: Scenario) -> Sensor:
     return Sensor(settings.delay, noise, settings.wheel_loads == "estimated", scenario.ego.to_vehicle())
 
 
-CONTROLLERS: Final[dict[str, Callable[[Scenario], Controller[Any]]]] = {"unified": _unified, "as-printed": _as_printed}
-PLANTS: Final[dict[str, Callable[[Scenario], Plant]]] = {"planar": _planar}
+ControllerBuilder = Callable[[Scenario, str], Controller[Any]]
+
+CONTROLLERS: Final[dict[str, ControllerBuilder]] = {"unified": _unified, "as-printed": _as_printed}
+PLANTS: Final[dict[str, Callable[[Scenario], Plant]]] = {"planar": _planar, "multibody": _multibody}
 DEFAULT_CONTROLLER: Final = "unified"
 DEFAULT_PLANT: Final = "planar"
 
 
-def controller_named(name: str, scenario: Scenario) -> Controller[Any]:
-    """Build the controller of this name; InputError when there is none."""
+def controller_named(name: str, scenario: Scenario, plant: str) -> Controller[Any]:
+    """Build the controller of this name, which knows the actuators of that plant; InputError when there is none."""
     if name not in CONTROLLERS:
         raise InputError(unknown("controller", name, CONTROLLERS))
-    return CONTROLLERS[name](scenario)
+    return CONTROLLERS[name](scenario, plant)
 
 
 def plant_named(name: str, scenario: Scenario) -> Plant:

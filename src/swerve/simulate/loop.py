@@ -62,7 +62,7 @@ def run(
         InputError: no such controller or plant.
     """
     started = time.perf_counter()
-    built = controller_named(controller, scenario), plant_named(plant, scenario)
+    built = controller_named(controller, scenario, plant), plant_named(plant, scenario)
     sensing = sense or sensor_of(scenario).measure, np.random.default_rng(seed)
     traces, commands, plans, step_times = _drive(scenario, *built, *sensing, progress or (lambda share: None))
     step, sample_time = scenario.plant.step, scenario.controller.sample_time

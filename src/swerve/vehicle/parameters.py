@@ -1,15 +1,10 @@
 """A vehicle as numbers: Table 2 of the paper, completed by the limits that the paper does not print."""
 
-from dataclasses import dataclass, field, fields, replace
-from math import inf, isfinite
+from dataclasses import dataclass, replace
+from math import inf
 
+from swerve.vehicle.quantities import check, quantity
 from swerve.vehicle.tyre import PASSENGER_215_55_R17, Tyre
-
-
-def _quantity(dimension: str, unit: str, *, sign: str = "positive", default: float | None = None) -> float:
-    """A field that carries its dimension and unit; `sign` is 'positive' or 'not negative'."""
-    metadata = {"dimension": dimension, "unit": unit, "sign": sign}
-    return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,25 +33,23 @@ class Vehicle:
     """
 
     name: str
-    mass: float = _quantity("mass", "kg")
-    yaw_inertia: float = _quantity("moment of inertia", "kg m^2")
-    cg_to_front_axle: float = _quantity("length", "m")
-    cg_to_rear_axle: float = _quantity("length", "m")
-    half_track: float = _quantity("length", "m")
-    wheel_radius: float = _quantity("length", "m")
-    cg_height: float = _quantity("length", "m", sign="not negative", default=0.0)
-    steering_limit: float = _quantity("angle", "rad")
-    steering_rate_limit: float = _quantity("angular speed", "rad/s", default=inf)
-    force_limit: float = _quantity("dimensionless", "1")
-    length: float = _quantity("length", "m")
-    width: float = _quantity("length", "m")
-    cg_to_front_end: float = _quantity("length", "m")
+    mass: float = quantity("mass", "kg")
+    yaw_inertia: float = quantity("moment of inertia", "kg m^2")
+    cg_to_front_axle: float = quantity("length", "m")
+    cg_to_rear_axle: float = quantity("length", "m")
+    half_track: float = quantity("length", "m")
+    wheel_radius: float = quantity("length", "m")
+    cg_height: float = quantity("length", "m", sign="not negative", default=0.0)
+    steering_limit: float = quantity("angle", "rad")
+    steering_rate_limit: float = quantity("angular speed", "rad/s", default=inf)
+    force_limit: float = quantity("dimensionless", "1")
+    length: float = quantity("length", "m")
+    width: float = quantity("length", "m")
+    cg_to_front_end: float = quantity("length", "m")
     tyre: Tyre
 
     def __post_init__(self) -> None:
-        for each in fields(self):
-            if "sign" in each.metadata:
-                _check(each.name, getattr(self, each.name), each.metadata["sign"], unlimited=each.default == inf)
+        check(self)
         if self.force_limit >= 1:
             raise ValueError(f"force_limit must be below 1, the friction circle, got {self.force_limit:g}")
 
@@ -68,13 +61,6 @@ class Vehicle:
     def with_changes(self, changes: dict[str, float]) -> "Vehicle":
         """The same vehicle with some numbers replaced; ValueError as for a new one."""
         return replace(self, **changes)  # type: ignore[arg-type]
-
-
-def _check(name: str, value: float, sign: str, *, unlimited: bool) -> None:
-    if not (isfinite(value) or (unlimited and value == inf)):
-        raise ValueError(f"{name} must be finite, got {value}")
-    if value < 0 or (value == 0 and sign == "positive"):
-        raise ValueError(f"{name} must be {sign}, got {value:g}")
 
 
 D_CLASS_SEDAN = Vehicle(
