@@ -6,6 +6,8 @@ everything.
 
 from dataclasses import dataclass
 
+SLOWEST = 5.0  # [m/s] below, a relaxation length is no longer a delay worth planning with
+
 
 @dataclass(frozen=True)
 class Horizon:
@@ -60,8 +62,14 @@ class Latency:
 
     Attributes:
         sensing: age of a measurement when the controller gets it [s].
-        actuation: from a command to its effect: transport, and the lag of the actuators taken as a delay [s].
+        actuation: from a command to what the actuators do: transport, and their lag taken as a delay [s].
+        relaxation: length that a tyre rolls until its lateral force has built up, taken as a delay too [m].
     """
 
     sensing: float
     actuation: float
+    relaxation: float
+
+    def effect(self, speed: float) -> float:
+        """From a command to its effect on the motion, at a speed [m/s]; SLOWEST for all that is slower [s]."""
+        return self.actuation + self.relaxation / max(speed, SLOWEST)

@@ -18,6 +18,14 @@ def _actuators(scenario: Scenario, plant: str) -> Actuators:
     return completion_of(scenario.ego.vehicle)[1] if plant == "multibody" else Actuators()
 
 
+def _latency(scenario: Scenario, plant: str) -> Latency:
+    """The delays that a controller can know of."""
+    actuators = _actuators(scenario, plant)
+    tyre = completion_of(scenario.ego.vehicle)[0].tyre
+    relaxation = tyre.lateral_relaxation if plant == "multibody" else 0.0
+    return Latency(scenario.sensing.delay, actuators.delay + actuators.steering_lag, relaxation)
+
+
 def _shared(scenario: Scenario, plant: str) -> dict[str, Any]:
     """What every controller is told."""
     settings, vehicle = scenario.controller, scenario.ego.to_vehicle()
@@ -33,10 +41,9 @@ def _shared(scenario: Scenario, plant: str) -> dict[str, Any]:
 
 def _unified(scenario: Scenario, plant: str) -> UnifiedController:
     settings = UnifiedSettings(**scenario.controller.unified.model_dump())
-    actuators = _actuators(scenario, plant)
     return UnifiedController(
         footprint=scenario.ego.to_footprint(),
-        latency=Latency(scenario.sensing.delay, actuators.delay + actuators.steering_lag),
+        latency=_latency(scenario, plant),
         settings=settings,
         **_shared(scenario, plant),
     )
@@ -72,7 +79,7 @@ ControllerBuilder = Callable[[Scenario, str], Controller[Any]]
 CONTROLLERS: Final[dict[str, ControllerBuilder]] = {"unified": _unified, "as-printed": _as_printed}
 PLANTS: Final[dict[str, Callable[[Scenario], Plant]]] = {"planar": _planar, "multibody": _multibody}
 DEFAULT_CONTROLLER: Final = "unified"
-DEFAULT_PLANT: Final = "planar"
+DEFAULT_PLANT: Final = "multibody"
 
 
 def controller_named(name: str, scenario: Scenario, plant: str) -> Controller[Any]:

@@ -22,7 +22,7 @@ OLDEST = 0.5  # [samples] by which a measurement may be older than it usually is
 
 def n_commands(latency: Latency, sample_time: float) -> int:
     """How many past commands can still matter."""
-    return ceil((latency.sensing + latency.actuation) / sample_time + OLDEST) + 1
+    return ceil((latency.sensing + latency.effect(speed=0.0)) / sample_time + OLDEST) + 1
 
 
 def is_late(measurement: Measurement, latency: Latency, sample_time: float) -> bool:
@@ -30,19 +30,17 @@ def is_late(measurement: Measurement, latency: Latency, sample_time: float) -> b
     return measurement.time - measurement.stamp > latency.sensing + OLDEST * sample_time
 
 
-def state_at_effect(
-    measurement: Measurement, commands: Sequence[Array], latency: Latency, model: PredictionModel
-) -> Array:
-    """The state (6,) at `measurement.time` plus the actuation delay.
+def state_at_effect(measurement: Measurement, commands: Sequence[Array], delay: float, model: PredictionModel) -> Array:
+    """The state (6,) at `measurement.time` plus `delay`.
 
     Args:
         measurement: at its stamp.
         commands: (5,) each, the last one given first.
-        latency: the known delays.
+        delay: from a command to its effect [s].
         model: of the vehicle.
     """
     sample_time, state = model.horizon.sample_time, measurement.state
-    now = measurement.time + latency.actuation
+    now = measurement.time + delay
     for j in reversed(range(len(commands))):
         begins, ends = now - (j + 1) * sample_time, now - j * sample_time
         duration = ends - max(begins, measurement.stamp)

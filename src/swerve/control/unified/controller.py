@@ -136,8 +136,9 @@ class UnifiedController(Controller[Memory]):
     def _situation(self, side: Side, measurement: Measurement, memory: Memory) -> Situation:
         """Cost and limits of this step for passing on one side."""
         box = InputBox.of(self._vehicle, self._friction, measurement.wheel_loads, self._blocking)
-        start = state_at_effect(measurement, memory.commands, self._latency, self._model)
-        times = self._times + (measurement.time - measurement.stamp + self._latency.actuation)
+        delay = self._latency.effect(float(measurement.state[VX]))
+        start = state_at_effect(measurement, memory.commands, delay, self._model)
+        times = self._times + (measurement.time - measurement.stamp + delay)
         obstacles = [
             ObstacleLimit(
                 seen.as_obstacle(),
