@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.conventions import N_INPUTS, N_STATES
+from swerve.conventions import N_INPUTS, N_STATES, N_WHEELS
 from swerve.kernel import Kernel
 from swerve.plant.protocol import Plant, PlantState, Trace
 from swerve.signals import Command
@@ -26,8 +26,9 @@ from swerve.world import MOST_PATCHES, Friction
 Array = NDArray[np.float64]
 
 N_RUNNING = N_MULTIBODY + N_ACTUATORS
-OUTPUTS = (0, 1, 3, 7, 11, 15, 19)  # of a step: steering; ax, ay; then of each wheel load, slip angle, Fx, Fy
-N_OUTPUTS = OUTPUTS[-1]
+N_OUTPUTS = 19  # of a step: steering; ax, ay; then of each wheel load, slip angle, Fx, Fy
+AFTER = N_RUNNING + N_WHEELS  # of a sample: the state at its end, and the loads there
+COLUMNS = tuple(slice(*ends) for ends in pairwise((0, 6, 7, 9, 13, 17, 21, 25)))  # of a step: vehicle state, outputs
 DELAY_TOLERANCE = 1e-6  # of a delay over a step that stands for a whole number [1]
 
 
@@ -54,12 +55,9 @@ class MultibodyPlant(Plant):
         self._numbers = Numbers.of(vehicle, chassis)
         self._n_substeps, self._n_delayed = n_substeps, _whole(actuators.delay, step)
         n_patches = MOST_PATCHES if friction.patches else 0
-        self._held = (
-            self._numbers.as_array(),
-            Limits.of(actuators, vehicle, step).as_array(),
-            _as_vector(friction, n_patches),
-            step,
-        )
+        limits = Limits.of(actuators, vehicle, step)
+        parts = (self._numbers.as_array(), limits.as_array(), _as_vector(friction, n_patches), [step])
+        self._held = np.concatenate(parts)
         self._advance = Kernel(_sample(n_substeps, n_patches))
 
     def start(self, vehicle: Array) -> PlantState:
@@ -74,22 +72,16 @@ class MultibodyPlant(Plant):
 
     def advance(self, state: PlantState, command: Command) -> tuple[PlantState, Trace]:
         """One controller sample with the command held."""
-        x = np.concatenate((state.vehicle, state.inner))
-        now, later = self._arriving(x[N_RUNNING:], command)
-        end, states, outputs, loads_after = self._advance(x[:N_RUNNING], now, *self._held)
-        rows = outputs.reshape(N_OUTPUTS, -1).T  # a single step is a column, (19,), of its own
-        parts = (rows[:, first:last] for first, last in pairwise(OUTPUTS))
-        steering, acceleration, loads, slips, longitudinal, lateral = parts
-        trace = Trace(states.reshape(N_STATES, -1).T, steering[:, 0], acceleration, loads, slips, longitudinal, lateral)
-        return PlantState(end[:N_STATES], loads_after, np.append(end[N_STATES:], later)), trace
-
-    def _arriving(self, waiting: Array, command: Command) -> tuple[Array, Array]:
-        """Commands of the steps of this sample, as the kernel takes them, and those that wait for the next (n,)."""
-        n, u = self._n_substeps, command.as_input()
-        if not len(waiting):
-            return (u if n == 1 else u[:, None]), waiting
-        queue = np.vstack((waiting.reshape(-1, N_INPUTS), np.broadcast_to(u, (n, N_INPUTS))))
-        return (queue[0] if n == 1 else queue[:n].T), queue[n:].ravel()
+        n = self._n_substeps
+        given = np.full((n, N_INPUTS), command.as_input()).ravel()
+        x = np.concatenate((state.vehicle, state.inner, given))  # what waits is in inner, and arrives before `given`
+        arrived = N_RUNNING + n * N_INPUTS
+        (done,) = self._advance(x[:arrived], self._held)
+        after, rows = done[:AFTER], done[AFTER:].reshape(n, N_STATES + N_OUTPUTS)
+        end, loads_after = after[:N_RUNNING], after[N_RUNNING:]
+        states, steering, acceleration, loads, slips, longitudinal, lateral = (rows[:, part] for part in COLUMNS)
+        trace = Trace(states, steering[:, 0], acceleration, loads, slips, longitudinal, lateral)
+        return PlantState(end[:N_STATES], loads_after, np.concatenate((end[N_STATES:], x[arrived:]))), trace
 
 
 def _whole(delay: float, step: float) -> int:
@@ -107,20 +99,22 @@ def _as_vector(friction: Friction, n_patches: int) -> Array:
 
 
 def _sample(n_substeps: int, n_patches: int) -> ca.Function:
-    """A sample: (state, commands, p, limits, road, h) -> what a `step` gives, and the loads at the end.
+    """A sample: ([state, command of each step], [p, limits, road, h]) -> one vector, which costs one copy.
 
-    That is: the state at the end; vehicle states and outputs at the start of each step; the loads at the end.
+    It holds the state and the loads at the end, and a row [vehicle state, outputs] for the start of each step.
     """
     step, loads = _step(n_patches)
-    start, u = ca.MX.sym("state", N_RUNNING), ca.MX.sym("u", N_INPUTS, n_substeps)
-    held = [ca.MX.sym(f"held{i}", *step.size_in(i)) for i in range(2, step.n_in())]
+    parts = [step.size1_in(i) for i in range(2, step.n_in())]
+    moving, held = ca.MX.sym("moving", N_RUNNING + n_substeps * N_INPUTS), ca.MX.sym("held", sum(parts))
+    start, u = moving[:N_RUNNING], ca.reshape(moving[N_RUNNING:], N_INPUTS, n_substeps)
+    fixed = ca.vertsplit(held, np.cumsum([0, *parts]).tolist())
     ends, outputs = step.mapaccum("multibody", n_substeps).call(
-        [start, u, *(ca.repmat(each, 1, n_substeps) for each in held)]
+        [start, u, *(ca.repmat(each, 1, n_substeps) for each in fixed)]
     )
     states = ca.horzcat(start, ends[:, :-1])[:N_STATES, :]
     end = ends[:, -1]
-    after = loads(end, *held)
-    return ca.Function("multibody", [start, u, *held], [end, states, outputs, after])
+    done = ca.vertcat(end, loads(end, *fixed), ca.vec(ca.vertcat(states, outputs)))
+    return ca.Function("multibody", [moving, held], [done])
 
 
 def _step(n_patches: int) -> tuple[ca.Function, ca.Function]:
