@@ -11,6 +11,7 @@ from math import degrees
 from typing import Any, Final
 
 from swerve import __version__
+from swerve.report.markdown import table
 from swerve.simulate import Result
 from swerve.study.ablation import PLANT, Ablation
 
@@ -31,11 +32,11 @@ MEASURED: Final = (
 def as_markdown(ablation: Ablation) -> str:
     """Two tables, to be included in a page: what each row came to, and what it changed."""
     scenes = "\n".join(f"- `{scene.name}`: {scene.description}" for scene in ablation.scenes)
-    came_to = _table(
+    came_to = table(
         ["controller", *(f"`{scene.name}`" for scene in ablation.scenes)],
         [[row.variant.name, *map(_cell, row.results)] for row in ablation.rows],
     )
-    changed = _table(
+    changed = table(
         ["controller", "what it changes, and why it matters"],
         [[row.variant.name, row.variant.change] for row in ablation.rows],
     )
@@ -87,9 +88,3 @@ def _cell(result: Result) -> str:
     ratio = "none" if values["min_distance_ratio"] is None else f"{values['min_distance_ratio']:.3f}"
     steer = "none" if values["max_steer"] is None else f"{degrees(values['max_steer']):.1f} deg"
     return f"{result.outcome.value} {ratio}<br>{steer}<br>{result.fallback_steps} / {result.solver_failures}"
-
-
-def _table(header: list[str], rows: list[list[str]]) -> str:
-    """A Markdown table."""
-    lines = [header, ["---"] * len(header), *rows]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)

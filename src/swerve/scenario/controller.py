@@ -83,7 +83,7 @@ class UnifiedSettings(Settings):
     slip_limit: Angle = 0.12
     slip_penalty: Weight = 1e3
     slip_penalty_quadratic: Weight = 1e5
-    clearance_margin: Margin = 0.01
+    clearance_margin: Margin = 0.02
     clearance_penalty: Weight = 2e4
     clearance_penalty_quadratic: Weight = 1e5
     force_weight: Weight = 1e-8

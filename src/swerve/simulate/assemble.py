@@ -10,7 +10,15 @@ from swerve.errors import InputError, unknown
 from swerve.plant import MultibodyPlant, PlanarPlant, Plant
 from swerve.scenario import Scenario
 from swerve.sensing import Noise, Sensor
+from swerve.vehicle import Vehicle
 from swerve.vehicle.multibody import Actuators, completion_of
+from swerve.world import Friction
+
+ONE_FRICTION: Final = "the planar plant has one friction for all wheels; take the multibody plant"
+
+AXLES_IN_TURN = (
+    1.5  # [1] relaxation lengths until a turn is there: the front axle's, and half of the rear one's upon it
+)
 
 
 def _actuators(scenario: Scenario, plant: str) -> Actuators:
@@ -22,7 +30,7 @@ def _latency(scenario: Scenario, plant: str) -> Latency:
     """The delays that a controller can know of."""
     actuators = _actuators(scenario, plant)
     tyre = completion_of(scenario.ego.vehicle)[0].tyre
-    relaxation = tyre.lateral_relaxation if plant == "multibody" else 0.0
+    relaxation = AXLES_IN_TURN * tyre.lateral_relaxation if plant == "multibody" else 0.0
     return Latency(scenario.sensing.delay, actuators.delay + actuators.steering_lag, relaxation)
 
 
@@ -54,17 +62,32 @@ def _as_printed(scenario: Scenario, plant: str) -> AsPrintedController:
     return AsPrintedController(settings=settings, **_shared(scenario, plant))
 
 
+def planar_plant(vehicle: Vehicle, friction: Friction, step: float, n_substeps: int) -> PlanarPlant:
+    """The planar plant for a vehicle of the library; InputError on a road with patches."""
+    if friction.patches:
+        raise InputError(ONE_FRICTION)
+    return PlanarPlant(vehicle, friction.base, step, n_substeps)
+
+
+def multibody_plant(vehicle: Vehicle, friction: Friction, step: float, n_substeps: int) -> MultibodyPlant:
+    """The multibody plant for a vehicle of the library, with its chassis and actuators."""
+    return MultibodyPlant(vehicle, *completion_of(vehicle.name), friction, step, n_substeps)
+
+
 def _planar(scenario: Scenario) -> PlanarPlant:
     if scenario.road.patches:
-        raise InputError("road.patches: the planar plant has one friction for all wheels; take the multibody plant")
-    return PlanarPlant(scenario.ego.to_vehicle(), scenario.road.friction, scenario.plant.step, scenario.n_substeps)
+        raise InputError(f"road.patches: {ONE_FRICTION}")
+    return planar_plant(*_driven(scenario))
 
 
 def _multibody(scenario: Scenario) -> MultibodyPlant:
-    chassis, actuators = completion_of(scenario.ego.vehicle)
-    friction = scenario.road.to_friction()
-    clocks = scenario.plant.step, scenario.n_substeps
-    return MultibodyPlant(scenario.ego.to_vehicle(), chassis, actuators, friction, *clocks)
+    return multibody_plant(*_driven(scenario))
+
+
+def _driven(scenario: Scenario) -> tuple[Vehicle, Friction, float, int]:
+    """What a plant is made of: vehicle, road, step [s] and the number of them in a sample."""
+    road = scenario.road.to_friction()
+    return scenario.ego.to_vehicle(), road, scenario.plant.step, scenario.n_substeps
 
 
 def sensor_of(scenario: Scenario) -> Sensor:
