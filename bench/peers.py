@@ -58,5 +58,5 @@ def replay(controller: NonlinearController, measured: Sequence[tuple[Measurement
 
 def closed_loop(controller: NonlinearController, scenario: Scenario) -> Result:
     """A run in which the peer drives."""
-    with patch.dict(CONTROLLERS, {"nonlinear": lambda scenario: controller}):
-        return run(scenario, "nonlinear").result
+    with patch.dict(CONTROLLERS, {"nonlinear": lambda *_: controller}):
+        return run(scenario, "nonlinear", "planar").result

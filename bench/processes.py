@@ -11,6 +11,7 @@ COMMANDS: Final[Mapping[str, Sequence[str]]] = {
     "import swerve": ("-c", "import swerve"),
     "import swerve.simulate": ("-c", "import swerve.simulate"),
     "swerve run paper": ("-m", "swerve", "run", "paper"),
+    "swerve run paper --plant planar": ("-m", "swerve", "run", "paper", "--plant", "planar"),
 }
 
 
@@ -21,5 +22,8 @@ def wall_times(n_runs: int) -> dict[str, float]:
 
 def _wall_time(arguments: Sequence[str]) -> float:
     began = time.perf_counter()
-    subprocess.run([sys.executable, *arguments], check=True, capture_output=True)
-    return time.perf_counter() - began
+    run = subprocess.run([sys.executable, *arguments], check=False, capture_output=True, text=True)
+    wall_time = time.perf_counter() - began
+    if run.returncode != 0:
+        raise RuntimeError(f"python {' '.join(arguments)} ended with status {run.returncode}: {run.stderr}")
+    return wall_time

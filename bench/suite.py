@@ -6,21 +6,22 @@ from typing import Final
 
 import numpy as np
 
-from bench import peers, processes, unified
+from bench import multibody, peers, processes, unified
 from bench.nonlinear_program import SOLVERS, NonlinearController
 from bench.statistic import Statistic
 from bench.stopwatch import Step
 from bench.table import Cell, Table, in_ms
 from swerve.qp import SOLVERS as QP_SOLVERS
 from swerve.scenario import Scenario, load
-from swerve.simulate import Result, run
+from swerve.simulate import Result
 
 N_RUNS: Final = 5  # of the unified controller, and of each process
 N_REPLAYS: Final = 2  # of each peer
 N_REPEATS: Final = 3  # of each quadratic program
 TIMES: Final = ("median", "p99", "max")
 STEP_LIMITS: Final = (2.0, 8.0, 25.0)  # [ms]
-WALL_LIMITS: Final = {"import swerve": 0.8, "swerve run paper": 3.0}  # [s]
+WALL_LIMITS: Final = {"import swerve": 0.8, "swerve run paper": 3.0, "swerve run paper --plant planar": 3.0}  # [s]
+LEAST_REAL_TIME: Final = 500.0  # of the multibody plant [1]
 SIDES: Final[Mapping[str, Callable[[Step], float]]] = {
     "left": lambda step: step.parts["solve"][0],
     "right": lambda step: step.parts["solve"][1],
@@ -34,6 +35,7 @@ def tables() -> Iterator[Table]:
     yield _kernels(scenario)
     yield _quadratic_programs(scenario)
     yield from _peers(scenario)
+    yield _plants()
     yield _processes()
 
 
@@ -88,7 +90,7 @@ def _peers(scenario: Scenario) -> Iterator[Table]:
 
 
 def _closed_loops(scenario: Scenario, controllers: Mapping[str, NonlinearController]) -> Table:
-    results = {"unified": run(scenario).result}
+    results = {"unified": unified.drive(scenario).result}
     results |= {solver: peers.closed_loop(controller, scenario) for solver, controller in controllers.items()}
     rows = [_numbers(name, result) for name, result in results.items()]
     columns = ("controller", "outcome", "decision", "smallest sqrt(rho)", "largest |Y| [m]", "unsolved")
@@ -100,6 +102,14 @@ def _numbers(name: str, result: Result) -> list[Cell]:
     offset = max(-result.lateral_offset.min, result.lateral_offset.max)
     reached = [result.min_distance_ratio, offset, float(result.solver_failures)]
     return [name, result.outcome.value, result.decision, *reached]
+
+
+def _plants() -> Table:
+    speeds = multibody.speeds(N_RUNS)
+    rows: list[list[Cell]] = [[name, each.real_time, each.kernel, each.yaw_rate] for name, each in speeds.items()]
+    rows.append(["limit of multibody", LEAST_REAL_TIME, None, None])
+    columns = ("plant", "speed", "kernel alone", "last yaw rate [rad/s]")
+    return Table("plants", "Step steer of 5 s at 1 ms, seconds simulated in a second of the processor", columns, rows)
 
 
 def _processes() -> Table:

@@ -47,4 +47,4 @@ def in_ms(statistic: Statistic) -> tuple[float, float, float]:
 def _text(cell: Cell) -> str:
     if cell is None:
         return "-"
-    return cell if isinstance(cell, str) else f"{cell:.3g}"
+    return cell if isinstance(cell, str) else f"{cell:.4g}"

@@ -17,7 +17,7 @@ from swerve.plant import PlanarPlant
 from swerve.qp import Problem, solve
 from swerve.scenario import Scenario
 from swerve.signals import Measurement
-from swerve.simulate import run
+from swerve.simulate import Run, run
 
 Array = NDArray[np.float64]
 
@@ -37,14 +37,19 @@ KERNELS: Final[Mapping[str, Target]] = {
 }
 
 
+def drive(scenario: Scenario) -> Run:
+    """One run: the controller whose parts are timed, on the plant for which the limits are meant."""
+    return run(scenario, "unified", "planar")
+
+
 def steps(scenario: Scenario, n_runs: int) -> list[list[Step]]:
     """The steps of each run, after one run to warm up."""
-    run(scenario)
+    drive(scenario)
     runs = []
     for _ in range(n_runs):
         watch = Stopwatch()
         with watch.watching(STEP, PARTS):
-            run(scenario)
+            drive(scenario)
         runs.append(watch.steps)
     return runs
 
@@ -55,7 +60,7 @@ def kernel_calls(scenario: Scenario) -> dict[str, tuple[Statistic, Statistic]]:
     for name, method in KERNELS.items():
         watch = Stopwatch()
         with watch.watching(method, {"kernel": [(Kernel, "__call__")]}):
-            run(scenario)
+            drive(scenario)
         kernel, whole = [step.total("kernel") for step in watch.steps], [step.duration for step in watch.steps]
         calls[name] = Statistic.of(kernel), Statistic.of(whole)
     return calls
@@ -64,7 +69,7 @@ def kernel_calls(scenario: Scenario) -> dict[str, tuple[Statistic, Statistic]]:
 def problems(scenario: Scenario) -> list[Problem]:
     """The quadratic programs of one run, in order."""
     with recording((branch, "solve")) as calls:
-        run(scenario)
+        drive(scenario)
     return [problem for problem, *_ in calls]
 
 
@@ -76,6 +81,6 @@ def solver_times(recorded: Sequence[Problem], solver: str, n_repeats: int) -> St
 def measured(scenario: Scenario) -> list[tuple[Measurement, Array]]:
     """Of each step of one run: what the controller measured, and the input (5,) that acted then."""
     with recording(STEP) as calls:
-        plans = run(scenario).plans
+        plans = drive(scenario).plans
     commands = [np.zeros(N_INPUTS), *(plan.inputs[0] for plan in plans)]
     return [(measurement, command) for (_, measurement, _), command in zip(calls, commands, strict=False)]

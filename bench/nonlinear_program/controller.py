@@ -22,7 +22,7 @@ from swerve.vehicle import Vehicle
 Array = NDArray[np.float64]
 
 CLEAR = 5e-3  # [m] a guess that misses a margin by less needs no other
-EQUAL = 1e-4  # [1] relative difference of two costs that is the solver's tolerance
+EQUAL = 1e-4  # [1] difference of two costs, relative and absolute, that is the solver's tolerance
 ACTIVE = 1e-2  # [1/m] a multiplier beyond this holds the plan off an obstacle
 
 
@@ -68,7 +68,7 @@ class NonlinearController(Controller[Memory]):
         obstacles = tuple(seen.as_obstacle() for seen in measurement.obstacles)
         question = Question(measurement.state, memory.command, measurement.wheel_loads, obstacles)
         plans = [self._plan(side, question, memory) for side in Side]
-        taken = plans[0] if plans[0].cost <= plans[1].cost * (1 + EQUAL) else plans[1]
+        taken = plans[0] if plans[0].cost <= plans[1].cost * (1 + EQUAL) + EQUAL else plans[1]
         n_failed = sum(not plan.is_solved for plan in plans)
         plan = Plan(
             measurement.time,

@@ -7,7 +7,8 @@ subject to  x_k+1 = F(x_k, u_k), the last free input held from Nc on            
             |alpha_front(x_k, u_k)|, |alpha_rear(x_k+1)| <= limit + s_slip;  bounds on the inputs                (14)
 
 It needs no trust region, no limit that knows the lateral demand and no side: the friction ellipse and the obstacles are
-in it as they are. On which side of an obstacle a solution passes depends on the guess that the solver starts from.
+in it as they are. It ends with the horizon: the path beyond it, which the unified controller looks at, is left out.
+On which side of an obstacle a solution passes depends on the guess that the solver starts from.
 """
 
 from dataclasses import dataclass

@@ -6,10 +6,11 @@ them, and they run no faster.
 
 import hashlib
 import os
+import shlex
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import casadi as ca
@@ -28,26 +29,29 @@ def library(name: str, functions: Iterable[ca.Function]) -> Path:
     Raises:
         SwerveError: there is no folder for it, or no compiler that can make it.
     """
-    folder, compiler = private_folder(), shutil.which(os.environ.get("CC", "cc"))
+    folder = private_folder()
+    name_of_compiler, *options = shlex.split(os.environ.get("CC", "")) or ["cc"]
+    compiler = shutil.which(name_of_compiler)
     if folder is None or compiler is None:
         raise SwerveError("the nonlinear program runs compiled only: it needs a C compiler and a folder for libraries")
     generator = ca.CodeGenerator(name, {"with_header": False})
     for function in functions:
         generator.add(function)
     source = str(generator.dump())
-    recipe = "\0".join((source, *FLAGS, compiler, processor_id()))
+    command = [compiler, *options, *FLAGS]
+    recipe = "\0".join((source, *command, processor_id()))
     target = folder / f"{name}-{hashlib.sha256(recipe.encode()).hexdigest()[:24]}.so"
     if not target.exists():
-        _compile(compiler, source, target)
+        _compile(command, source, target)
     return target
 
 
-def _compile(compiler: str, source: str, target: Path) -> None:
+def _compile(command: Sequence[str], source: str, target: Path) -> None:
     with tempfile.TemporaryDirectory(dir=target.parent) as work:
         code, made = Path(work, "program.c"), Path(work, "program.so")
         code.write_text(source)
-        command = [compiler, *FLAGS, str(code), "-o", str(made), "-lm"]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        files = (str(code), "-o", str(made), "-lm")
+        run = subprocess.run([*command, *files], capture_output=True, text=True, check=False)
         if run.returncode != 0:
-            raise SwerveError(f"{compiler} could not compile {target.stem}: {run.stderr[:300]}")
+            raise SwerveError(f"{command[0]} could not compile {target.stem}: {run.stderr[:300]}")
         made.replace(target)

@@ -26,13 +26,12 @@ def watched() -> Iterator[SimpleNamespace]:
     """Functions that take 1, 2 and 4 s of themselves: `inner`, `outer` which calls it, and `step` which calls all."""
     clock, functions = Clock(), SimpleNamespace()
 
-    def inner() -> str:
+    def inner() -> None:
         clock.now += 1
-        return "inner"
 
-    def outer() -> str:
+    def outer() -> None:
         clock.now += 2
-        return functions.inner()
+        functions.inner()
 
     def step() -> None:
         clock.now += 4

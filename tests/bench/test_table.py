@@ -7,8 +7,8 @@ TABLE = Table("key", "Title", ("name", "ms"), [["a", 1.23456], ["longer", None]]
 
 
 def test_columns_are_aligned() -> None:
-    """Names are on the left, numbers on the right with three digits, and what is missing is a dash."""
-    assert TABLE.text() == "Title\n  name      ms\n  a       1.23\n  longer     -"
+    """Names are on the left, numbers on the right with four digits, and what is missing is a dash."""
+    assert TABLE.text() == "Title\n  name       ms\n  a       1.235\n  longer      -"
 
 
 def test_a_record_has_all_digits() -> None:

@@ -24,24 +24,23 @@ ENDS: Final = ("at_no_load", "per_newton")  # the two numbers of a line
 
 def as_markdown(work: TyreWork) -> str:
     """Two tables and what they do not hold, to be included in a page."""
-    away, forces = work.figure_4.largest_error, work.figure_4.forces
+    away = work.figure_4.largest_error
     off = max(ellipse.error for ellipse in work.figure_3)
     most = max(work.table_1.largest_error.values())
-    return f"""Curves of eq. (3) with the parameters of Table 1, fitted again; errors are fitted less printed.
+    return f"""Curves of eq. (3) with the parameters of Table 1, fitted again. The simulator's tyre data are not public:
+this tests the fit and the lines, not how well eq. (3) meets those data. An error is fitted less printed.
 
 {table(["$F_z$ [N]", *(f"{column.Fz:.0f}" for column in TABLE_1)], _load_rows(work))}
 
-The largest error is {_shown(most)}. The last three rows compare eq. (4) on the printed lines, at $F_x = 0$ and
-$\\mu = 1$, with those curves.
+The largest error of a letter is {_shown(most)}. The rows "lines" are eq. (4) on the printed lines, at $F_x = 0$ and
+$\\mu = 1$, against those curves.
 
 {table(["", "printed", "fitted", "error", "rounding", "$R^2$"], _line_rows(work.table_1.lines))}
 
-Lines through the printed $B$, $C$ and $D$ over the load; "rounding" is how far the four decimals of Table 1 leave it open.
+The lines go through the printed $B$, $C$ and $D$. "Rounding" is how far the four decimals of Table 1 leave them open.
 
-Fig. 3: along the curves of eq. (4) the left side of eq. (2) is 1 to within {off:.0e}, the floor under the root. Fig. 4:
-the printed lines are at most {away["B"]:.4f} 1/rad from $B$, {away["C"]:.5f} from $C$ and {away["D"]:.5f} from $D$ of
-Table 1, and the force on them at most {max(force.relative_error for force in forces):.2%} of the peak from that on
-Table 1's own values.
+Fig. 3: along eq. (4) the left side of eq. (2) is 1 to within {off:.0e}, the floor under the root. Fig. 4: the printed
+lines are at most {away["B"]:.4f} 1/rad from $B$, {away["C"]:.5f} from $C$ and {away["D"]:.5f} from $D$ of Table 1.
 """
 
 
@@ -97,7 +96,7 @@ def _load_rows(work: TyreWork) -> list[list[str]]:
     for letter, unit in UNITS.items():
         printed, fitted = ([getattr(each, letter) for each in source] for source in (TABLE_1, fits))
         rows += [
-            [f"${letter}$ [{unit}], printed", *map(_shown, printed)],
+            [f"${letter}$ [{unit}], printed", *(f"{value:.{'1e' if letter == 'E' else '4f'}}" for value in printed)],
             [f"${letter}$, fitted", *map(_shown, fitted)],
             [f"${letter}$, error", *(_shown(a - b) for a, b in zip(fitted, printed, strict=True))],
         ]

@@ -1,18 +1,21 @@
 """The files of a run, and those of a reproduction of the paper.
 
-What draws and what writes Parquet is imported where it is used: it takes longer to import than a run takes, and most
+What draws, fits tyres and writes Parquet is imported where it is used: it takes longer to import than a run takes, and most
 runs write nothing.
 """
 
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from swerve.report.ablation import as_csv, as_json, as_markdown
+from swerve.report import ablation
 from swerve.report.output import filled
 from swerve.report.terminal import result_json
 from swerve.simulate import Run
-from swerve.study.reproduce import Reproduction
+
+if TYPE_CHECKING:  # it brings what fits tyres
+    from swerve.study.reproduce import Reproduction
 
 Progress = Callable[[float], None]  # takes the share that is done, from 0 to 1
 Write = Callable[[Path], None]  # writes the file of this path
@@ -46,9 +49,11 @@ def write_run(run: Run, directory: Path, progress: Progress = lambda share: None
 
 
 def write_reproduction(
-    reproduction: Reproduction, directory: Path, progress: Progress = lambda share: None
+    reproduction: "Reproduction", directory: Path, progress: Progress = lambda share: None
 ) -> list[Path]:
-    """Write a reproduction: Fig. 7 to 10 of the paper as PNG and PDF, the ablation as Markdown, CSV and JSON.
+    """Write a reproduction: Fig. 3, 4 and 7 to 10 of the paper as PNG and PDF, Table 1 and the ablation as text.
+
+    A table is Markdown, CSV and JSON.
 
     Args:
         reproduction: of the paper.
@@ -61,13 +66,18 @@ def write_reproduction(
     Raises:
         OSError: as for `write_run`.
     """
-    from swerve.report.figures import PAPER_FIGURES, writers
+    from swerve.report import table1
+    from swerve.report.figures import PAPER_FIGURES, TYRE_FIGURES, writers
 
-    ablation = reproduction.ablation
+    rows, tyre = reproduction.ablation, reproduction.tyre
     files: dict[str, Write] = {
-        "ablation.md": partial(_write_text, as_markdown(ablation)),
-        "ablation.csv": partial(_write_text, as_csv(ablation)),
-        "ablation.json": partial(_write_text, as_json(ablation)),
+        "table1.md": partial(_write_text, table1.as_markdown(tyre)),
+        "table1.csv": partial(_write_text, table1.as_csv(tyre)),
+        "table1.json": partial(_write_text, table1.as_json(tyre)),
+        "ablation.md": partial(_write_text, ablation.as_markdown(rows)),
+        "ablation.csv": partial(_write_text, ablation.as_csv(rows)),
+        "ablation.json": partial(_write_text, ablation.as_json(rows)),
+        **writers(TYRE_FIGURES, tyre),
         **writers(PAPER_FIGURES, reproduction.paper),
     }
     return _write_all(files, directory, progress)

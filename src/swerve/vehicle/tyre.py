@@ -14,6 +14,7 @@ import casadi as ca
 
 # The share of (mu Fz)^2 that the root of (4) keeps at the edge of the circle, so that derivatives stay finite.
 ROOT_FLOOR = 1e-6  # [1]
+LIFTED = 1e-6  # [N^2] that it keeps of a wheel without load, for the same reason
 
 
 @dataclass(frozen=True)
@@ -73,4 +74,5 @@ def longitudinal_force(demand: Any, friction: Any, load: Any) -> Any:
 def lateral_force(tyre: Any, slip_angle: Any, longitudinal: Any, friction: Any, load: Any) -> Any:
     """Fy of eq. (4) [N] at slip angle [rad] and longitudinal force [N], |longitudinal| <= friction * load."""
     circle = (friction * load) ** 2
-    return magic_formula(tyre, slip_angle, load) * ca.sqrt(ca.fmax(circle - longitudinal**2, ROOT_FLOOR * circle))
+    root = ca.sqrt(ca.fmax(circle - longitudinal**2, ROOT_FLOOR * circle + LIFTED))
+    return magic_formula(tyre, slip_angle, load) * root

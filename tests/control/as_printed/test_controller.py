@@ -27,7 +27,7 @@ ALL = ("mass", "drift", "hold-input", "jacobian", "discretisation")
 def controller(*corrections: str) -> AsPrintedController:
     """The paper's controller with some misprints put right."""
     words = ", ".join(f'"{each}"' for each in corrections)
-    made: Any = controller_named("as-printed", load("paper", [f"controller.as_printed.corrections=[{words}]"]))
+    made: Any = controller_named("as-printed", load("paper", [f"controller.as_printed.corrections=[{words}]"]), "planar")
     return made
 
 
@@ -164,7 +164,7 @@ def test_what_is_too_old_holds_the_command() -> None:
 
 def test_as_printed_it_collides() -> None:
     """In the paper's own scenario the predicted car does not move, so the real one drives straight into the obstacle."""
-    result = run(load("paper"), "as-printed").result
+    result = run(load("paper"), "as-printed", "planar").result
     assert result.outcome.value == "collided"
     assert result.min_distance_ratio == pytest.approx(0.0, abs=1e-6)
     assert result.impact_speed == pytest.approx(20.0)
@@ -173,7 +173,7 @@ def test_as_printed_it_collides() -> None:
 
 def test_with_the_drift_alone_the_hard_program_is_often_infeasible() -> None:
     """The wall of the first-order obstacle stands half way: with the drift put right, many steps have no solution."""
-    result = run(load("paper", ['controller.as_printed.corrections=["drift"]']), "as-printed").result
+    result = run(load("paper", ['controller.as_printed.corrections=["drift"]']), "as-printed", "planar").result
     assert result.solver_failures == result.fallback_steps >= 20
 
 

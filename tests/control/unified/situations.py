@@ -74,7 +74,7 @@ def along_the_linear_model(trajectory: Trajectory, sensitivities: Sensitivities,
 @cache
 def controller(*overrides: str) -> UnifiedController:
     """The unified controller of the paper's scenario."""
-    made: Any = controller_named("unified", load("paper", overrides))
+    made: Any = controller_named("unified", load("paper", overrides), "planar")
     return made
 
 

@@ -14,7 +14,7 @@ from tests.control.unified.situations import model, random_start, seeds, seen
 from tests.control.unified.test_prediction import ROLLING
 from tests.vehicle.motions import STATIC, move
 
-AT_ONCE = Latency(0.0, 0.0)
+AT_ONCE = Latency(0.0, 0.0, 0.0)
 
 
 def driven(state: np.ndarray, segments: list[tuple[np.ndarray, float]]) -> np.ndarray:
@@ -36,7 +36,7 @@ def test_without_delays_it_is_the_state_that_was_measured(seed: int) -> None:
     """A fresh measurement of a vehicle that obeys at once is the start of the plan, to the last bit."""
     random = np.random.default_rng(seed)
     state = random_start(random)
-    found = state_at_effect(seen(0.35, state), commands(random, n_commands(AT_ONCE, 0.05)), AT_ONCE, model())
+    found = state_at_effect(seen(0.35, state), commands(random, n_commands(AT_ONCE, 0.05)), 0.0, model())
     np.testing.assert_array_equal(found, state)
 
 
@@ -44,7 +44,7 @@ def test_without_delays_it_is_the_state_that_was_measured(seed: int) -> None:
 @given(seeds, st.sampled_from([0.01, 0.03, 0.05, 0.08, 0.12]), st.sampled_from([0.0, 0.02, 0.05, 0.07]))
 def test_it_is_where_past_commands_lead(seed: int, sensing: float, actuation: float) -> None:
     """From the measurement's stamp to the command's effect the vehicle follows the commands that were given before."""
-    random, latency = np.random.default_rng(seed), Latency(sensing, actuation)
+    random, latency = np.random.default_rng(seed), Latency(sensing, actuation, 0.0)
     given_before = commands(random, n_commands(latency, 0.05))
     state, now = random_start(random), 1.0
     measurement = replace(seen(now, state), stamp=now - sensing)
@@ -54,14 +54,14 @@ def test_it_is_where_past_commands_lead(seed: int, sensing: float, actuation: fl
         begins, ends = now + actuation - (j + 1) * 0.05, now + actuation - j * 0.05
         segments.append((given_before[j], max(0.0, ends - max(begins, measurement.stamp))))
     assert sum(duration for _, duration in segments) == pytest.approx(sensing + actuation)
-    found = state_at_effect(measurement, given_before, latency, model())
+    found = state_at_effect(measurement, given_before, actuation, model())
     np.testing.assert_allclose(found, driven(state, segments), atol=2e-4)
 
 
 @given(st.floats(0.0, 0.3), st.floats(0.0, 0.3))
 def test_enough_commands_are_remembered(sensing: float, actuation: float) -> None:
     """The commands reach back to the stamp of the oldest measurement that is used."""
-    reach = n_commands(Latency(sensing, actuation), 0.05) * 0.05
+    reach = n_commands(Latency(sensing, actuation, 0.0), 0.05) * 0.05
     assert reach >= sensing + actuation + 0.025
 
 
@@ -69,4 +69,4 @@ def test_enough_commands_are_remembered(sensing: float, actuation: float) -> Non
 def test_late_is_older_than_usual(age: float, late: bool) -> None:
     """A measurement is late when it is half a sample older than the known delay explains."""
     measurement = replace(seen(1.0), stamp=1.0 - age)
-    assert is_late(measurement, Latency(0.08, 0.2), 0.05) is late
+    assert is_late(measurement, Latency(0.08, 0.2, 0.3), 0.05) is late

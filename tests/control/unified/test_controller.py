@@ -120,7 +120,7 @@ def test_a_step_in_the_mirror_is_the_mirror_of_the_step(lateral: float) -> None:
 def test_plans_keep_what_they_promise(overrides: tuple[str, ...]) -> None:
     """In every plan of a run the inputs are within their limits, and held after the control horizon."""
     scenario = load("paper", ("duration=1.5 s", *overrides))
-    done = run(scenario)
+    done = run(scenario, plant="planar")
     n_free, rate = scenario.controller.control_horizon, scenario.ego.to_vehicle().steering_rate_limit
     before = 0.0
     for plan in done.plans:
@@ -133,7 +133,7 @@ def test_plans_keep_what_they_promise(overrides: tuple[str, ...]) -> None:
 
 def test_a_side_once_taken_is_kept() -> None:
     """Through the paper's scenario there is one side, from the first step that an obstacle shapes to the last."""
-    sides = [plan.side for plan in run(load("paper")).plans if plan.side is not None]
+    sides = [plan.side for plan in run(load("paper"), plant="planar").plans if plan.side is not None]
     assert len(sides) > 10
     assert set(sides) == {Side.LEFT}
 
@@ -241,7 +241,7 @@ def test_blind_it_stops_and_stays() -> None:
     """A vehicle whose sensors never work brakes to a standstill and does not begin to drive backwards."""
     from tests.control.unified.test_robustness import blinded
 
-    motion = run(load("paper", ["obstacles=[]"]), sense=blinded(lambda k: True)).log.motion
+    motion = run(load("paper", ["obstacles=[]"]), plant="planar", sense=blinded(lambda k: True)).log.motion
     assert motion["vx"].min() > -0.5
     assert abs(motion["vx"][-1]) < 0.5
 

@@ -130,6 +130,20 @@ def test_clipping_keeps_what_is_within(seed: int, wildness: float) -> None:
     assert (np.sign(clipped) == np.sign(inputs)).all()
 
 
+@given(st.lists(st.floats(-0.5, 0.5), min_size=20, max_size=20), st.floats(0.2, 3.0), st.floats(-0.5, 0.5))
+def test_clipping_follows_at_the_steering_rate(wanted: list[float], rate: float, previous: float) -> None:
+    """Clipped steering angles go towards their own values as fast as the rate allows, from the angle that acts now."""
+    inputs = np.column_stack([wanted, np.arange(80.0).reshape(20, 4)])
+    found = SteeringRateLimit(rate * 0.05, previous, BLOCKING)
+    clipped, before = found.clip(inputs), previous
+    np.testing.assert_array_equal(clipped[:, 1:], inputs[:, 1:])
+    for angle, target in zip(clipped[:, 0], wanted, strict=True):
+        assert angle == pytest.approx(np.clip(target, before - rate * 0.05, before + rate * 0.05), abs=1e-12)
+        before = angle
+    np.testing.assert_allclose(found.clip(clipped), clipped, atol=1e-12)
+    assert inputs[:, 0].tolist() == wanted
+
+
 @settings(max_examples=20)
 @given(seeds, st.floats(0.2, 3.0))
 def test_the_steering_rate_is_bounded_from_what_acts_now(seed: int, rate: float) -> None:

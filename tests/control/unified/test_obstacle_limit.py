@@ -11,7 +11,7 @@ from swerve.control.unified.limits import ObstacleLimit, Penalty, Rows
 from swerve.control.unified.limits.obstacle import REACH, SAG
 from swerve.control.unified.prediction import Trajectory
 from swerve.control.unified.tail import Tail
-from swerve.world import Ellipse, Footprint, Obstacle, Point, Rectangle, Shape, clearance
+from swerve.world import Ellipse, Footprint, Obstacle, Point, Rectangle, Shape, clearance, distance_ratio
 from tests.control.unified.situations import HORIZON, SIDES, random_roll_out, seeds
 
 N = 4  # samples of the paths below
@@ -106,20 +106,57 @@ def straight_over(speed: float) -> np.ndarray:
     return np.column_stack([speed * (TIMES - 0.0875), np.zeros((N_POSES, 2))])
 
 
-@given(obstacles(), footprints, sides, paths())
-@example(POLE, Point(), Side.LEFT, straight_over(20.0))
-@example(PEDESTRIAN, Point(), Side.RIGHT, straight_over(35.0))
+def only_just_clear(found: ObstacleLimit, poses: np.ndarray, side: Side) -> np.ndarray:
+    """The path, moved to the side until it keeps the limit, and no further."""
+    least, most = 0.0, 60.0
+    for _ in range(40):
+        middle = (least + most) / 2
+        moved = poses + [0.0, side.value * middle, 0.0]
+        least, most = (least, middle) if found.violation(along(moved)) == 0 else (middle, most)
+    return poses + [0.0, side.value * most, 0.0]
+
+
+@given(obstacles(), footprints, sides, paths(), st.floats(-1.0, 1.0))
+@example(POLE, Point(), Side.LEFT, straight_over(20.0), 0.0)
+@example(PEDESTRIAN, Point(), Side.RIGHT, straight_over(35.0), 0.0)
 def test_nothing_cuts_between_two_poses(
-    obstacle: Obstacle, footprint: Footprint, side: Side, poses: np.ndarray
+    obstacle: Obstacle, footprint: Footprint, side: Side, poses: np.ndarray, bent: float
 ) -> None:
-    """A path that keeps its margin is clear of the obstacle all the way, not at its poses alone."""
-    found = limit(obstacle, footprint, side, margin=MARGIN)
+    """A path that only just keeps its limit is clear of the obstacle all the way, not at its poses alone."""
+    poses = poses + np.column_stack([0 * TIMES, bent * np.sin(40 * TIMES), 0 * TIMES])
+    # a point needs no margin beyond the tolerance; a body's corners move on arcs, which the margin is for
+    found = limit(obstacle, footprint, side, margin=SAG + 1e-6 if footprint == Point() else MARGIN)
+    poses = only_just_clear(found, poses, side)
     assume(found.violation(along(poses)) == 0.0)
-    share = np.linspace(0.0, 1.0, 26)[:, np.newaxis]
+    share = np.linspace(0.0, 1.0, 51)[:, np.newaxis]
     for k in range(1, N_POSES - 1):  # the pose that is measured can't be moved: no half-plane is about it
         between = poses[k] + share * (poses[k + 1] - poses[k])
         times = TIMES[k] + share[:, 0] * 0.025
-        assert clearance(footprint, between, obstacle, times).min() > 0.0
+        if footprint == Point() and isinstance(obstacle.shape, Ellipse):
+            assert distance_ratio(footprint, between, obstacle, times).min() >= 1.0
+        else:
+            assert clearance(footprint, between, obstacle, times).min() > 0.0
+
+
+@pytest.mark.parametrize("side", SIDES)
+@pytest.mark.parametrize("turned", [0.0, 0.3])
+@pytest.mark.parametrize(
+    ("shape", "footprint"),
+    [(Rectangle(4.0, 1.8), CAR), (Rectangle(3.0, 2.0), Point()), (Ellipse((0.4, 0.4)), CAR)],
+)
+def test_abreast_of_a_face_nothing_is_given_away(
+    shape: Shape, footprint: Footprint, turned: float, side: Side
+) -> None:
+    """Driving along a face of the obstacle, or with a face of its own to the obstacle, the gap is the clearance."""
+    obstacle = Obstacle(shape, (0.0, 0.0), heading=turned)
+    along_x, across = np.array([np.cos(turned), np.sin(turned)]), np.array([-np.sin(turned), np.cos(turned)])
+    travelled = 10.0 * (TIMES - TIMES[4])
+    path = np.outer(travelled, along_x) + side.value * 2.5 * across
+    poses = np.column_stack([path, np.full(N_POSES, turned)])
+    rows = limit(obstacle, footprint, side).rows(along(poses), each_pose_alone())
+    pose, _ = directions(rows)
+    apart = clearance(footprint, poses, obstacle, TIMES)
+    assert MARGIN - rows.lower[pose == 4].max() == pytest.approx(apart[4], abs=2e-3 if footprint == Point() else 2e-4)
 
 
 @given(obstacles(), footprints, sides, paths())

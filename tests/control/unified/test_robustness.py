@@ -46,7 +46,7 @@ SPOILED = {
 @pytest.mark.parametrize("first", range(0, N_STEPS, 3))
 def test_a_burst_at_any_time_is_survived(first: int) -> None:
     """Three bad measurements in a row, at the start, in the middle of the swerve or after: three fallbacks, and clear."""
-    done = run(load("paper", SHORT), sense=blinded(lambda k: first <= k < first + 3))
+    done = run(load("paper", SHORT), plant="planar", sense=blinded(lambda k: first <= k < first + 3))
     assert done.result.fallback_steps == min(3, N_STEPS - first)
     assert [k for k, plan in enumerate(done.plans) if plan.fallback] == list(range(first, min(first + 3, N_STEPS)))
     assert done.result.outcome.value == "avoided"
@@ -57,7 +57,7 @@ def test_a_burst_at_any_time_is_survived(first: int) -> None:
 @pytest.mark.parametrize("kind", SPOILED)
 def test_every_kind_is_counted(controller: str, kind: str) -> None:
     """With every third measurement bad, every third step is a fallback, of every controller."""
-    done = run(load("paper", SHORT), controller, sense=spoiled(lambda k: k % 3 == 1, SPOILED[kind]))
+    done = run(load("paper", SHORT), controller, "planar", sense=spoiled(lambda k: k % 3 == 1, SPOILED[kind]))
     bad = [k for k in range(N_STEPS) if k % 3 == 1]
     assert set(bad) <= {k for k, plan in enumerate(done.plans) if plan.fallback}
     assert done.result.fallback_steps >= len(bad)
@@ -81,7 +81,7 @@ def test_noise_from_a_broken_sensor_is_no_exception(controller: str) -> None:
         return replace(good, state=state, wheel_loads=loads)
 
     bad = set(random.choice(N_STEPS, 9, replace=False).tolist())
-    done = run(load("paper", SHORT), controller, sense=spoiled(lambda k: k in bad, broken))
+    done = run(load("paper", SHORT), controller, "planar", sense=spoiled(lambda k: k in bad, broken))
     assert done.result.steps == N_STEPS
     assert done.result.fallback_steps >= len(bad)
     assert np.isfinite(done.log.motion["X"]).all()
@@ -98,6 +98,6 @@ def test_a_solver_that_never_answers_is_no_exception(controller: str, monkeypatc
 
     monkeypatch.setattr("swerve.control.unified.branch.solve", no_answer)
     monkeypatch.setattr("swerve.control.as_printed.controller.solve", no_answer)
-    result = run(load("paper", SHORT), controller).result
+    result = run(load("paper", SHORT), controller, "planar").result
     assert result.fallback_steps == N_STEPS
     assert result.solver_failures >= N_STEPS

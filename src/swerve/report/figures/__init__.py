@@ -1,21 +1,36 @@
-"""The figures of a run, each a function from a run to a matplotlib `Figure`."""
+"""The figures of a run and of the tyre work, each a function from its subject to a matplotlib `Figure`."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Final
+from typing import Final, TypeVar
 
 from matplotlib.figure import Figure
 
+from swerve.report.figures.fig03_friction_ellipses import friction_ellipses
+from swerve.report.figures.fig04_line_fits import line_fits
 from swerve.report.figures.states import states
 from swerve.report.figures.steering import steering
 from swerve.report.figures.style import save
 from swerve.report.figures.top_view import top_view
 from swerve.report.figures.wheel_forces import wheel_forces
 from swerve.simulate import Run
+from swerve.study.tyre_work import TyreWork
 
-__all__ = ["FIGURES", "PAPER_FIGURES", "states", "steering", "top_view", "wheel_forces", "writers"]
+__all__ = [
+    "FIGURES",
+    "PAPER_FIGURES",
+    "TYRE_FIGURES",
+    "friction_ellipses",
+    "line_fits",
+    "states",
+    "steering",
+    "top_view",
+    "wheel_forces",
+    "writers",
+]
 
 Draw = Callable[[Run], Figure]
+Subject = TypeVar("Subject")
 
 FIGURES: Final[Mapping[str, Draw]] = {  # by file name
     "top_view": top_view,
@@ -32,10 +47,16 @@ PAPER_FIGURES: Final[Mapping[str, Draw]] = {
 }
 
 
-def writers(figures: Mapping[str, Draw], run: Run) -> dict[str, Callable[[Path], None]]:
-    """What writes the figures of a run, as PNG and as PDF, by file name."""
+TYRE_FIGURES: Final[Mapping[str, Callable[[TyreWork], Figure]]] = {
+    "fig03_friction_ellipses": friction_ellipses,
+    "fig04_line_fits": line_fits,
+}
 
-    def writer(draw: Draw) -> Callable[[Path], None]:
-        return lambda path: save(draw(run), path)
+
+def writers(figures: Mapping[str, Callable[[Subject], Figure]], subject: Subject) -> dict[str, Callable[[Path], None]]:
+    """What writes the figures of a run, or of another subject, as PNG and as PDF, by file name."""
+
+    def writer(draw: Callable[[Subject], Figure]) -> Callable[[Path], None]:
+        return lambda path: save(draw(subject), path)
 
     return {f"{name}.{suffix}": writer(draw) for name, draw in figures.items() for suffix in ("png", "pdf")}

@@ -64,11 +64,16 @@ styled = rc_context(STYLE)  # decorates what draws
 
 
 def new_figure(run: Run, height: float) -> Figure:
-    """An empty figure with the caption at its foot, and a layout engine that leaves room for it; height in inch."""
+    """An empty figure with the caption of the run at its foot, for which its layout leaves room; height in inch."""
+    return captioned_figure(caption(run), height)
+
+
+def captioned_figure(text: str, height: float) -> Figure:
+    """The same with any caption."""
     room = CAPTION_HEIGHT / height
     engine = ConstrainedLayoutEngine(rect=(0.0, room, 1.0, 1.0 - room), w_pad=PADDING, h_pad=PADDING)
     figure = Figure(figsize=(WIDTH, height), layout=engine)
-    put_caption(figure, run)
+    _put_text(figure, text)
     return figure
 
 
@@ -81,7 +86,11 @@ def widen(axes: Axes, least: float) -> None:
 
 def put_caption(figure: Figure, run: Run) -> None:
     """What was run and the verdict, at the foot of the figure."""
-    figure.text(0.01, 0.06 / figure.get_figheight(), caption(run), color=GREY, fontsize=7.0, parse_math=False)
+    _put_text(figure, caption(run))
+
+
+def _put_text(figure: Figure, text: str) -> None:
+    figure.text(0.01, 0.06 / figure.get_figheight(), text, color=GREY, fontsize=7.0, parse_math=False)
 
 
 def caption(run: Run) -> str:

@@ -38,7 +38,7 @@ class SplitFrictionBraking(Manoeuvre):
 
     name: ClassVar[str] = "split-friction-braking"
     description: ClassVar[str] = (
-        "full braking, the left wheels on slippery road: how far the car turns and how long it takes"
+        "full braking, the left wheels on slippery road: how far the car turns, and stops"
     )
     source: ClassVar[str] = "surfaces of ISO 14512; friction 0.8 and 0.3; steering held"
     speed: float = quantity("speed", "m/s", default=80 / 3.6)

@@ -19,6 +19,7 @@ from swerve.study.manoeuvres.wheel_forces import hold_speed
 from swerve.vehicle.quantities import check, quantity
 
 SETTLED = 1.0  # at the end, over which steady values are means [s]
+LEAST_PEAK = 0.01  # overshoot of the yaw rate that counts as a peak [1]
 REACHED = 0.9  # of the steady value, at which a response time ends [1]
 
 
@@ -67,7 +68,9 @@ class StepSteer(Manoeuvre):
         late = time > time[-1] - SETTLED
         steady = {name: float(values[late].mean()) for name, values in _responses(motion).items()}
         reference = first_time(time, steering >= steady["steering"] / 2)
-        peak_time = float(time[motion["r"].argmax()]) - reference
+        yaw_rate = motion["r"]
+        has_peak = yaw_rate.max() >= (1 + LEAST_PEAK) * steady["yaw_rate"]
+        peak_time = float(time[yaw_rate.argmax()]) - reference if has_peak else float("nan")
         measures = {
             "steady_steering": Measure(steady["steering"], "rad", "road-wheel angle at the end"),
             "steady_yaw_rate": Measure(steady["yaw_rate"], "rad/s", "mean of the last second"),
