@@ -26,13 +26,13 @@ lint: $(VENV)/.installed-dev ## check style, format, types and the layers' impor
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-bench: $(VENV)/.installed ## time the controller's step, part by part, and its peers
+bench: $(VENV)/.installed-dev ## time the controller's step, part by part, and its peers
 	$(BIN)/python -m bench
 
 numbers: $(VENV)/.installed ## measure the tables and figures that the documentation shows
 	$(BIN)/swerve reproduce --out build/paper
 	mkdir -p docs/measured
-	cp build/paper/ablation.md build/paper/*.png docs/measured/
+	cp build/paper/*.md build/paper/*.png docs/measured/
 
 docs: $(VENV)/.installed-docs ## build the documentation into site/
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict

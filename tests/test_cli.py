@@ -62,14 +62,14 @@ def test_a_run_is_the_paper_s_by_default(simulation: FakeSimulation, capsys: Out
     """Without arguments `run` takes the paper's scenario, the unified controller, the default plant and seed 0."""
     assert main(["run"]) == 0
     ((scenario, *rest),) = simulation.calls
-    assert (scenario.name, *rest) == ("paper", "unified", "planar", 0)
+    assert (scenario.name, *rest) == ("paper", "unified", "multibody", 0)
 
 
 def test_a_run_s_table_is_for_people(simulation: FakeSimulation, capsys: Outputs) -> None:
     """Without --json stdout is a table, and stderr is silent."""
     assert main(["run", "wet", "--seed", "7"]) == 0
     captured = capsys.readouterr()
-    assert captured.out.startswith("scenario        wet, unified on planar, seed 7\noutcome         avoided: ")
+    assert captured.out.startswith("scenario        wet, unified on multibody, seed 7\noutcome         avoided: ")
     assert captured.err == ""
 
 
@@ -111,7 +111,7 @@ def test_a_required_outcome_decides_the_status(
         (["run", "--set", "road.friction"], "--set road.friction: no '='"),
         (["run", "--controller", "unifed"], "--controller: unknown controller 'unifed'; did you mean unified?"),
         (["run", "--plant", "planer"], "--plant: unknown plant 'planer'; did you mean planar?"),
-        (["run", "--plant", ""], "--plant: unknown plant ''; write one of planar"),
+        (["run", "--plant", ""], "--plant: unknown plant ''; write one of planar, multibody"),
         (["run", "--require", "avoidd"], "--require: unknown outcome 'avoidd'; did you mean avoided?"),
         (["run", "--seed", "-1"], "argument --seed: '-1' is no seed; write a whole number"),
         (["run", "--seed", "x"], "argument --seed: 'x' is no seed; write a whole number"),

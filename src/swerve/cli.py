@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Final, NoReturn, TextIO
 
 from swerve import __version__
+from swerve.commands import manoeuvres
 from swerve.errors import InputError, SwerveError, unknown
 
 INTERRUPTED: Final = 130  # 128 + SIGINT, as shells have it
@@ -71,7 +72,7 @@ def _parser() -> argparse.ArgumentParser:
         "scenario", nargs="?", default="paper", metavar="SCENARIO", help="library name or TOML file [paper]"
     )
     run.add_argument("--controller", help="who drives [unified]")
-    run.add_argument("--plant", help="what is driven [planar]")
+    run.add_argument("--plant", help="what is driven [multibody]")
     run.add_argument(
         "--set",
         action="append",
@@ -99,6 +100,7 @@ def _parser() -> argparse.ArgumentParser:
     reproduce.add_argument(
         "--out", type=Path, default=Path("swerve-reproduction"), metavar="DIR", help="where to [swerve-reproduction]"
     )
+    manoeuvres.add_commands(commands)
     return parser
 
 

@@ -244,6 +244,22 @@ def test_it_brakes_to_a_standstill_and_stays(build: Build, step: float) -> None:
     assert np.abs(trace.states[:, 1:3]).max() < 0.02
 
 
+@pytest.mark.parametrize("speed", [15.0, -3.0, 0.0])
+def test_a_brake_ends_with_the_motion(build: Build, speed: float) -> None:
+    """Held for long, full braking brings the vehicle to rest, forwards or backwards, and never sets it in motion."""
+    start = np.array([speed, 0, 0, 0, 0, 0])
+    state, trace = drive(build(), start, *60 * [Command(0.0, -0.95 * 0.85 * STATIC)])
+    assert abs(state.vehicle[0]) < 1e-3
+    assert (np.diff(np.abs(trace.states[:, 0])) <= 0).all()
+    assert (trace.states[:, 0] * np.sign(speed) >= 0).all()
+
+
+def test_a_drive_sets_in_motion(build: Build) -> None:
+    """From standstill a positive wheel force accelerates by force over mass."""
+    state, _ = drive(build(), np.zeros(6), *4 * [Command(0.0, np.full(4, 300.0))])
+    assert state.vehicle[0] == pytest.approx(1200.0 / SEDAN.mass * 0.2, rel=1e-6)
+
+
 def test_braking_distance_is_that_of_the_friction(build: Build) -> None:
     """From 20 m/s with all wheels at 95 % of mu Fz the vehicle needs v^2 / (2 a)."""
     deceleration = 0.95 * 0.85 * GRAVITY

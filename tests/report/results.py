@@ -29,6 +29,7 @@ RESULT = Result(
     steps=100,
     fallback_steps=2,
     solver_failures=3,
+    divergence=None,
     wall_time=1.0,
 )
 

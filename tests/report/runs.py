@@ -15,4 +15,4 @@ MOST_SHOWN = ("ego.footprint=rectangle", "road.lane_width=3.5", "road.lanes_righ
 @cache
 def made(*overrides: str, scenario: str = "paper", controller: str = "as-printed", seed: int = 0) -> Run:
     """A run of one second, unless the overrides say otherwise."""
-    return run(load(scenario, ["duration=1 s", *overrides]), controller, seed=seed)
+    return run(load(scenario, ["duration=1 s", *overrides]), controller, "planar", seed=seed)

@@ -9,6 +9,8 @@ import pytest
 from swerve.report import prepare_output, result_json, write_reproduction, write_run
 from swerve.scenario import load
 from swerve.study.reproduce import Reproduction
+from swerve.study.tyre_comparison import compare_tyres
+from swerve.study.tyre_work import tyre_work
 from tests.report.results import ABLATION
 from tests.report.runs import made
 
@@ -64,13 +66,13 @@ def test_a_run_that_cannot_be_written_changes_nothing(
 
 
 def test_a_reproduction_is_written(tmp_path: Path) -> None:
-    """Figures 7 to 10 are there by number, and the ablation in three forms."""
-    paths = write_reproduction(Reproduction(made(controller="unified"), ABLATION), tmp_path / "new")
+    """Figures are there by number, and Table 1 and the ablation in three forms."""
+    reproduction = Reproduction(tyre_work(), compare_tyres(), made(controller="unified"), ABLATION)
+    paths = write_reproduction(reproduction, tmp_path / "new")
     names = {path.name for path in paths}
     assert names == {path.name for path in (tmp_path / "new").iterdir()}
     figures = {"fig07_top_view", "fig08_states", "fig09_wheel_forces", "fig10_steering"}
-    assert names == {f"{name}.{suffix}" for name in figures for suffix in ("png", "pdf")} | {
-        "ablation.md",
-        "ablation.csv",
-        "ablation.json",
-    }
+    figures |= {"fig03_friction_ellipses", "fig04_line_fits", "fig05_lateral_forces"}
+    assert names == {"fig05_lateral_forces.json"} | {
+        f"{name}.{suffix}" for name in figures for suffix in ("png", "pdf")
+    } | {f"{name}.{suffix}" for name in ("table1", "ablation") for suffix in ("md", "csv", "json")}

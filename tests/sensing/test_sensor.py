@@ -96,8 +96,8 @@ def test_estimated_loads_are_those_of_the_accelerations() -> None:
 
 def test_a_known_delay_is_made_up_for() -> None:
     """On its own model and without noise the controller drives the same with measurements that are 70 ms old."""
-    ideal = run(load("static-20", [])).result
-    delayed = run(load("static-20", ["sensing.delay=70 ms"])).result
+    ideal = run(load("static-20", []), plant="planar").result
+    delayed = run(load("static-20", ["sensing.delay=70 ms"]), plant="planar").result
     assert delayed.fallback_steps == 0
     assert delayed.min_distance_ratio == pytest.approx(ideal.min_distance_ratio, abs=5e-3)
     assert delayed.lateral_offset.max == pytest.approx(ideal.lateral_offset.max, abs=0.05)

@@ -22,7 +22,7 @@ def fake(monkeypatch: pytest.MonkeyPatch) -> list[FakeController]:
     """The controller `fake`, and those that were made of it."""
     made: list[FakeController] = []
 
-    def make(scenario: Scenario) -> FakeController:
+    def make(scenario: Scenario, plant: str) -> FakeController:
         made.append(FakeController(scenario))
         return made[-1]
 
@@ -57,7 +57,7 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[tuple[PlantState, Command]]
 
 def test_the_controller_is_asked_once_a_sample(fake: list[FakeController]) -> None:
     """In 0.52 s there are eleven samples of 50 ms, each with its own time, state and memory."""
-    done = run(load("slower-lead", SHORT), "fake")
+    done = run(load("slower-lead", SHORT), "fake", "planar")
     calls = fake[0].calls
     assert len(calls) == done.result.steps == len(done.plans) == 11
     assert [memory for _, memory in calls] == list(range(11))
@@ -85,7 +85,7 @@ def test_the_plant_moves_with_the_command_held(fake: list[FakeController], count
 @pytest.mark.parametrize(("step", "rows"), [("1 ms", 551), ("10 ms", 56), ("50 ms", 12)])
 def test_the_log_has_a_row_for_each_step_and_one_for_the_end(fake: list[FakeController], step: str, rows: int) -> None:
     """The plant's clock divides the controller's; both tables have their clock, from zero to the last instant."""
-    done = run(load("paper", (*SHORT, f"plant.step={step}")), "fake")
+    done = run(load("paper", (*SHORT, f"plant.step={step}")), "fake", "planar")
     time = done.log.motion["time"]
     assert len(time) == rows
     np.testing.assert_allclose(time, np.linspace(0.0, 0.55, rows), atol=1e-12)
@@ -97,7 +97,7 @@ def test_the_log_has_a_row_for_each_step_and_one_for_the_end(fake: list[FakeCont
 @pytest.mark.parametrize("controller", CONTROLLERS)
 def test_every_column_has_its_unit(controller: str) -> None:
     """Each column is in the table of units and the other way round, and each unit is one that SI has."""
-    done = run(load("paper", SHORT), controller)
+    done = run(load("paper", SHORT), controller, "planar")
     known = {"s", "m", "m/s", "m/s^2", "rad", "rad/s", "N", "1", ""}
     for table in (done.log.motion, done.log.steps):
         assert list(table.columns) == list(table.units)
@@ -108,7 +108,7 @@ def test_every_column_has_its_unit(controller: str) -> None:
 
 def test_the_motion_is_named_wheel_by_wheel() -> None:
     """Loads, slip angles and forces stand under the wheels' names, in the order FL FR RL RR."""
-    done = run(load("paper", (*SHORT, "ego.parameters.cg_height=0.5 m", "obstacles=[]")), "unified")
+    done = run(load("paper", (*SHORT, "ego.parameters.cg_height=0.5 m", "obstacles=[]")), "unified", "planar")
     for symbol, unit in {"Fz": "N", "alpha": "rad", "Fx": "N", "Fy": "N"}.items():
         assert [done.log.motion.units[f"{symbol}_{wheel}"] for wheel in ("fl", "fr", "rl", "rr")] == [unit] * 4
     loads = done.log.motion.stack("Fz_fl", "Fz_fr", "Fz_rl", "Fz_rr")[0]
@@ -120,11 +120,11 @@ def test_the_log_keeps_what_was_commanded(fake: list[FakeController]) -> None:
     scenario = load("paper", SHORT)
     fake_command = Command(0.02, np.array([1.0, 2.0, 3.0, 4.0]))
 
-    def make(scenario: Scenario) -> FakeController:
+    def make(scenario: Scenario, plant: str) -> FakeController:
         return FakeController(scenario, fake_command)
 
     CONTROLLERS["fake"] = make  # taken back by the fixture
-    done = run(scenario, "fake")
+    done = run(scenario, "fake", "planar")
     np.testing.assert_array_equal(
         done.log.steps.stack("delta", "Fx_fl", "Fx_fr", "Fx_rl", "Fx_rr")[3], [0.02, 1, 2, 3, 4]
     )
@@ -134,7 +134,7 @@ def test_the_log_keeps_what_was_commanded(fake: list[FakeController]) -> None:
 
 def test_both_sides_are_in_the_log() -> None:
     """Where an obstacle shaped the plan, cost and missed margin of both sides stand beside the side that was taken."""
-    done = run(load("paper", SHORT), "unified")
+    done = run(load("paper", SHORT), "unified", "planar")
     sides = done.log.steps["side"]
     shaped = np.flatnonzero(sides != "")
     assert len(shaped) > 0
@@ -148,14 +148,14 @@ def test_both_sides_are_in_the_log() -> None:
 def test_progress_is_a_share(fake: list[FakeController]) -> None:
     """Progress is told after every sample, grows, and ends at 1."""
     told: list[float] = []
-    run(load("paper", SHORT), "fake", progress=told.append)
+    run(load("paper", SHORT), "fake", "planar", progress=told.append)
     np.testing.assert_allclose(told, np.arange(1, 12) / 11)
 
 
 def test_a_run_ends_where_motion_ends(monkeypatch: pytest.MonkeyPatch) -> None:
     """When the plant's state stops being finite the run is over: no exception, no warning, diverged."""
     broken = Command(math.nan, np.full(4, math.nan))
-    monkeypatch.setitem(CONTROLLERS, "fake", lambda scenario: FakeController(scenario, broken))
+    monkeypatch.setitem(CONTROLLERS, "fake", lambda scenario, plant: FakeController(scenario, broken))
 
     class Breaking(Counted):
         def advance(self, state: PlantState, command: Command) -> tuple[PlantState, Trace]:
@@ -181,7 +181,7 @@ def test_a_run_ends_where_motion_ends(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("controller", CONTROLLERS)
 def test_the_same_seed_gives_the_same_bits(controller: str) -> None:
     """Two runs agree to the last bit in every column but the time that a step took."""
-    first, second = (run(load("paper", ("duration=1.2 s",)), controller, seed=3) for _ in range(2))
+    first, second = (run(load("paper", ("duration=1.2 s",)), controller, "planar", seed=3) for _ in range(2))
     assert first.result.seed == 3
     for one, other in ((first.log.motion, second.log.motion), (first.log.steps, second.log.steps)):
         for name in one.columns:

@@ -60,7 +60,7 @@ def test_beyond_45_degrees_it_has_spun(degrees: float, outcome: Outcome) -> None
     states = straight()
     states[100, :2] = 20 * np.cos(np.radians(degrees)), 20 * np.sin(np.radians(degrees))
     assert verdict(states) is outcome
-    assert SPIN_SIDESLIP == pytest.approx(np.radians(45))
+    assert pytest.approx(np.radians(45)) == SPIN_SIDESLIP
 
 
 def test_slow_vehicles_have_no_sideslip() -> None:

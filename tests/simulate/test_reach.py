@@ -14,7 +14,7 @@ DISTANCES = [25.0, 20.0, 18.0, 17.0, 16.0, 15.5]  # [m]
 @cache
 def around(distance: float, lateral: float = 0.0) -> Run:
     """The paper's scene with the obstacle's centre there [m]."""
-    return run(load("paper", [f"obstacles.0.position=[{distance}, {lateral}]"]))
+    return run(load("paper", [f"obstacles.0.position=[{distance}, {lateral}]"]), plant="planar")
 
 
 @pytest.mark.parametrize("distance", DISTANCES)

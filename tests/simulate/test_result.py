@@ -10,12 +10,14 @@ import pytest
 import swerve
 from swerve.control import Fallback, Side
 from swerve.simulate import Result
+from swerve.simulate.result import Divergence
 from tests.simulate.recordings import COAST, plan, recorded, straight
 
 CONTRACT = """
 scenario controller plant seed version outcome min_distance_ratio min_clearance impact_speed decision
 lateral_offset speed final_yaw_rate final_lateral_speed max_sideslip max_yaw_rate max_steer
 step_time steps fallback_steps solver_failures wall_time
+divergence
 """
 
 
@@ -97,7 +99,7 @@ def test_impact_speed_is_that_of_the_first_contact() -> None:
 def test_impact_speed_knows_where_the_vehicle_points() -> None:
     """Speeds are compared in world axes: a vehicle across the road moves where its axes say."""
     states = straight()
-    states[:, 0], states[:, 1], states[:, 3] = 0.0, -20.0, np.pi / 2
+    states[:, 0], states[:, 1], states[:, 3] = 20 * np.cos(1.0), -20 * np.sin(1.0), 1.0
     assert recorded(states, ("obstacles.0.velocity=[12, 0]",)).impact_speed == pytest.approx(8.0)
 
 
@@ -137,3 +139,13 @@ def test_what_is_not_finite_is_null() -> None:
     assert result["final_yaw_rate"] is None
     assert result["speed"]["final"] is None
     json.dumps(result, allow_nan=False)
+
+
+def test_a_divergence_is_told_with_its_time_and_the_state_before_it() -> None:
+    """The first row that is no motion gives the time, the row before it the state; a motion that is one has neither."""
+    states = np.tile([20.0, 0.1, 0.2, 0.3, 4.0, 5.0], (4, 1))
+    times = np.array([0.0, 0.1, 0.2, 0.3])
+    assert Divergence.of(states, times) is None
+    states[2, 1] = np.nan
+    told = Divergence.of(states, times)
+    assert told == Divergence(0.2, {"vx": 20.0, "vy": 0.1, "r": 0.2, "psi": 0.3, "X": 4.0, "Y": 5.0})

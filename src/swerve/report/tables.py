@@ -18,11 +18,16 @@ SEED: Final = b"swerve.seed"
 
 def write_table(table: Table, run: Run, path: Path) -> None:
     """Write one table of `run`'s log to a Parquet file."""
+    write_columns(table, _metadata(run), path)
+
+
+def write_columns(table: Table, metadata: dict[bytes, bytes], path: Path) -> None:
+    """Write a table to a Parquet file, with the file's metadata."""
     arrays = {name: pyarrow.array(values) for name, values in table.columns.items()}
     fields = [
         pyarrow.field(name, array.type, metadata={UNIT: table.units[name].encode()}) for name, array in arrays.items()
     ]
-    schema = pyarrow.schema(fields, metadata=_metadata(run))
+    schema = pyarrow.schema(fields, metadata=metadata)
     pyarrow.parquet.write_table(pyarrow.table(list(arrays.values()), schema=schema), path)
 
 

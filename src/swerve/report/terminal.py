@@ -16,10 +16,12 @@ def result_json(result: Result) -> str:
 def result_table(result: Result) -> str:
     """The result for people: a row each for what was decided, how near it came and what it took."""
     values = result.to_json()  # where a number that is not finite is None
+    lost = result.divergence
     offset, speed, step_time = values["lateral_offset"], values["speed"], values["step_time"]
     rows = {
         "scenario": f"{result.scenario}, {result.controller} on {result.plant}, seed {result.seed}",
         "outcome": f"{result.outcome.value}: {result.outcome.sentence}",
+        **({} if lost is None else {"diverged": f"at {lost.time:.3f} s, from {_state(lost.last)}"}),
         "decision": result.decision,
         "distance ratio": f"{_number(values['min_distance_ratio'], digits=3)} at the least (1 is contact)",
         "clearance": f"{_number(values['min_clearance'], 'm', digits=3)} at the least",
@@ -30,6 +32,10 @@ def result_table(result: Result) -> str:
         "step time": f"{_number(step_time['median'], 'ms', 1e3)} median, {_number(step_time['p99'], 'ms', 1e3)} p99",
     }
     return "\n".join(f"{name:<16}{text}" for name, text in rows.items())
+
+
+def _state(values: Mapping[str, float]) -> str:
+    return ", ".join(f"{name} {value:.3g}" for name, value in values.items())
 
 
 def ablation_table(ablation: Ablation) -> str:

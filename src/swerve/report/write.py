@@ -1,9 +1,10 @@
 """The files of a run, and those of a reproduction of the paper.
 
-What draws, fits tyres and writes Parquet is imported where it is used: it takes longer to import than a run takes, and most
-runs write nothing.
+What draws, what fits tyres and what writes Parquet is imported where it is used: it takes longer to import than a run
+takes, and most runs write nothing.
 """
 
+import json
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
@@ -51,7 +52,7 @@ def write_run(run: Run, directory: Path, progress: Progress = lambda share: None
 def write_reproduction(
     reproduction: "Reproduction", directory: Path, progress: Progress = lambda share: None
 ) -> list[Path]:
-    """Write a reproduction: Fig. 3, 4 and 7 to 10 of the paper as PNG and PDF, Table 1 and the ablation as text.
+    """Write a reproduction: Fig. 3 to 5 and 7 to 10 of the paper as PNG and PDF, Table 1 and the ablation as text.
 
     A table is Markdown, CSV and JSON.
 
@@ -67,7 +68,7 @@ def write_reproduction(
         OSError: as for `write_run`.
     """
     from swerve.report import table1
-    from swerve.report.figures import PAPER_FIGURES, TYRE_FIGURES, writers
+    from swerve.report.figures import FORCE_FIGURES, PAPER_FIGURES, TYRE_FIGURES, writers
 
     rows, tyre = reproduction.ablation, reproduction.tyre
     files: dict[str, Write] = {
@@ -78,6 +79,8 @@ def write_reproduction(
         "ablation.csv": partial(_write_text, ablation.as_csv(rows)),
         "ablation.json": partial(_write_text, ablation.as_json(rows)),
         **writers(TYRE_FIGURES, tyre),
+        "fig05_lateral_forces.json": partial(_write_text, json.dumps(reproduction.forces.to_json(), indent=2) + "\n"),
+        **writers(FORCE_FIGURES, reproduction.forces),
         **writers(PAPER_FIGURES, reproduction.paper),
     }
     return _write_all(files, directory, progress)

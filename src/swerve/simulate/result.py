@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 import swerve
 from swerve.control import Plan
-from swerve.conventions import GRAVITY
+from swerve.conventions import GRAVITY, STATES
 from swerve.scenario import Scenario
 from swerve.signals import Command
 from swerve.simulate.decision import decision
@@ -48,6 +48,27 @@ class StepTime:
 
 
 @dataclass(frozen=True)
+class Divergence:
+    """Where a simulation stopped being a motion.
+
+    Attributes:
+        time: of the first row that is none [s].
+        last: vx, vy, r, psi, X, Y just before it, in SI.
+    """
+
+    time: float
+    last: dict[str, float]
+
+    @classmethod
+    def of(cls, states: Array, times: Array) -> "Divergence | None":
+        """The first row of states (n, 6) at times (n,) that is no motion; None when there is none."""
+        n = n_sane(states)
+        if n == len(states):
+            return None
+        return cls(float(times[n]), dict(zip(STATES, states[max(n - 1, 0)].tolist(), strict=True)))
+
+
+@dataclass(frozen=True)
 class Result:
     """The verdict and the numbers behind it; each is named and measured as in the JSON of `swerve run`.
 
@@ -74,6 +95,7 @@ class Result:
         fallback_steps: steps that were answered by a fallback.
         solver_failures: quadratic programs without an answer.
         wall_time: of the whole run [s].
+        divergence: when and from what state the simulation diverged; None when it did not.
     """
 
     scenario: str
@@ -98,6 +120,7 @@ class Result:
     fallback_steps: int
     solver_failures: int
     wall_time: float
+    divergence: Divergence | None
 
     def to_json(self) -> dict[str, Any]:
         """Plain values, ready for `json.dumps`; a number that is not finite becomes None."""
@@ -149,6 +172,7 @@ def evaluate(
         fallback_steps=sum(plan.fallback is not None for plan in plans),
         solver_failures=sum(plan.solver_failures for plan in plans),
         wall_time=wall_time,
+        divergence=Divergence.of(states, motion["time"]),
     )
 
 

@@ -1,8 +1,8 @@
 """The reduced tyre against the full one in motion: Fig. 5 of the paper.
 
-A double lane change at 120 km/h on friction 0.6, driven by the multibody plant; its course is `SmoothLaneChange`, for the
-paper does not print its own. The lateral force of each wheel of that plant, which has combined slip by another rule and a
-relaxation length, against eq. (4) at the same slip angle, load and longitudinal force.
+A double lane change at 120 km/h on friction 0.6, driven by the multibody plant; its course is `SmoothLaneChange`, for
+the paper does not print its own. The lateral force of each wheel of that plant, which has combined slip by another rule
+and a relaxation length, against eq. (4) at the same slip angle, load and longitudinal force.
 """
 
 from dataclasses import dataclass

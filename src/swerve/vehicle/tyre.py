@@ -14,7 +14,7 @@ import casadi as ca
 
 # The share of (mu Fz)^2 that the root of (4) keeps at the edge of the circle, so that derivatives stay finite.
 ROOT_FLOOR = 1e-6  # [1]
-LIFTED = 1e-6  # [N^2] that it keeps of a wheel without load, for the same reason
+LIFTED = 1e-14  # [N^2] that it keeps of a wheel without load, for the same reason
 
 
 @dataclass(frozen=True)

@@ -101,6 +101,9 @@ POLE = Obstacle(Ellipse((0.1, 0.1)), (0.0, 0.0))
 PEDESTRIAN = Obstacle(Ellipse((0.3, 0.3)), (0.0, 0.0))
 
 
+BOX = Obstacle(Rectangle(1.27, 0.79), (0.0, 0.0), heading=-0.3)
+
+
 def straight_over(speed: float) -> np.ndarray:
     """Poses of a vehicle that drives over the origin between two of them."""
     return np.column_stack([speed * (TIMES - 0.0875), np.zeros((N_POSES, 2))])
@@ -119,6 +122,7 @@ def only_just_clear(found: ObstacleLimit, poses: np.ndarray, side: Side) -> np.n
 @given(obstacles(), footprints, sides, paths(), st.floats(-1.0, 1.0))
 @example(POLE, Point(), Side.LEFT, straight_over(20.0), 0.0)
 @example(PEDESTRIAN, Point(), Side.RIGHT, straight_over(35.0), 0.0)
+@example(BOX, Point(), Side.LEFT, straight_over(30.0) @ np.array([[0.94, -0.32, 0], [0, 0, 0], [0, 0, 0]]), -0.9)
 def test_nothing_cuts_between_two_poses(
     obstacle: Obstacle, footprint: Footprint, side: Side, poses: np.ndarray, bent: float
 ) -> None:

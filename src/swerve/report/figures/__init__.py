@@ -8,19 +8,23 @@ from matplotlib.figure import Figure
 
 from swerve.report.figures.fig03_friction_ellipses import friction_ellipses
 from swerve.report.figures.fig04_line_fits import line_fits
+from swerve.report.figures.fig05_lateral_forces import lateral_forces
 from swerve.report.figures.states import states
 from swerve.report.figures.steering import steering
 from swerve.report.figures.style import save
 from swerve.report.figures.top_view import top_view
 from swerve.report.figures.wheel_forces import wheel_forces
 from swerve.simulate import Run
+from swerve.study.tyre_comparison import TyreComparison
 from swerve.study.tyre_work import TyreWork
 
 __all__ = [
     "FIGURES",
+    "FORCE_FIGURES",
     "PAPER_FIGURES",
     "TYRE_FIGURES",
     "friction_ellipses",
+    "lateral_forces",
     "line_fits",
     "states",
     "steering",
@@ -51,6 +55,9 @@ TYRE_FIGURES: Final[Mapping[str, Callable[[TyreWork], Figure]]] = {
     "fig03_friction_ellipses": friction_ellipses,
     "fig04_line_fits": line_fits,
 }
+
+
+FORCE_FIGURES: Final[Mapping[str, Callable[[TyreComparison], Figure]]] = {"fig05_lateral_forces": lateral_forces}
 
 
 def writers(figures: Mapping[str, Callable[[Subject], Figure]], subject: Subject) -> dict[str, Callable[[Path], None]]:

@@ -77,7 +77,9 @@ class BrakingInATurn(Manoeuvre):
         reference = v1 * r0 / v0
         return {
             "radius": Measure(v0 / r0, "m", "of the turn before"),
-            "initial_lateral_acceleration": Measure(value_at(motion, "ay", at - JUST_BEFORE), "m/s^2", "of the turn before"),
+            "initial_lateral_acceleration": Measure(
+                value_at(motion, "ay", at - JUST_BEFORE), "m/s^2", "of the turn before"
+            ),
             "initial_yaw_rate": Measure(r0, "rad/s", "of the turn before"),
             "yaw_rate_ratio": Measure(r1 / r0, "1", "1 s after application over before"),
             "yaw_rate_deviation": Measure(r1 - reference, "rad/s", "1 s after, from that of the circle at that speed"),

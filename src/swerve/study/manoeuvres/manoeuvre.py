@@ -1,4 +1,4 @@
-"""What a manoeuvre is: a driver who knows no obstacle and no controller, and what a test standard reads off the motion."""
+"""What a manoeuvre is: a driver without a controller, and what a test standard reads off the motion."""
 
 from abc import abstractmethod
 from collections.abc import Callable, Mapping

@@ -1,8 +1,8 @@
 """A driver who looks at one point ahead: the preview and optimal curvature model.
 
-Guo and Guan, Modelling of driver/vehicle directional control system, Vehicle System Dynamics 22 (1993) 141-184; with one
-point ahead it is also MacAdam's optimal preview (1981) for a car that follows its steering at once. In the preview time T
-at a lateral acceleration a the car comes to Y + T Y' + a T^2 / 2, which is to be the path's f:
+Guo and Guan, Modelling of driver/vehicle directional control system, Vehicle System Dynamics 22 (1993) 141-184; with
+one point ahead it is also MacAdam's optimal preview (1981) for a car that follows its steering at once. In the preview
+time T at a lateral acceleration a the car comes to Y + T Y' + a T^2 / 2, which is to be the path's f:
 
     a = 2 (f(X + T X') - Y - T Y') / T^2,     delta = a (L / vx^2 + K)
 

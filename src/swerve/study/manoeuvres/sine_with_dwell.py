@@ -1,6 +1,6 @@
 """Sine with dwell, FMVSS 126 (49 CFR 571.126; ISO 19365 is the like): the test of electronic stability control.
 
-A sine of 0.7 Hz that rests for 500 ms at its second peak, of an amplitude that is a multiple of A, the steering angle that
+A sine of 0.7 Hz that rests for 500 ms at its second peak; its amplitude is a multiple of A, the steering angle that
 gives 0.3 g at 80 km/h. The car coasts. With T0 the completion of steer (1 / f + dwell after its beginning):
 
     |r(T0 + 1.00 s)| <= 35 % and |r(T0 + 1.75 s)| <= 20 % of the second peak of r,

@@ -1,9 +1,9 @@
 """A smooth double lane change that a fast car can drive on a slippery road, with braking and driving in it.
 
-The paper's Fig. 5 is of a double lane change at 120 km/h on friction 0.6 whose course it does not print. ISO 3888-2 asks
-for more than that friction gives; so does ISO 3888-1 (3.5 m within 30 m). This one keeps the lane's 3.5 m and
-stretches the changes, so that the path's own lateral acceleration, 2 pi w v^2 / l^2, is within the road's. So that wheel
-forces of both signs come with lateral ones, the driver brakes in the first change and accelerates in the second, by
+The paper's Fig. 5 is of a double lane change at 120 km/h on friction 0.6 whose course it does not print. ISO 3888-2
+asks for more than that friction gives; so does ISO 3888-1 (3.5 m within 30 m). This one keeps the lane's 3.5 m and
+stretches the changes, so that the path's own lateral acceleration, 2 pi w v^2 / l^2, is within the road's. So that
+wheel forces of both signs come with lateral ones, the driver brakes in the first change and accelerates in the second:
 
     a sin(pi s),   s from 0 to 1 over the change
 """

@@ -1,4 +1,4 @@
-"""Straight braking on split friction, as on the surfaces of ISO 14512: one side of the car on ice, the other on asphalt.
+"""Straight braking on split friction, as on the surfaces of ISO 14512: one side of the car on slippery road.
 
 Steering held straight ahead. Each wheel is braked to a share of what the road under it gives, mu Fz, as an ideal
 anti-lock system would. So the brakes turn the car towards the side that grips, with lt times the difference of forces.
@@ -37,9 +37,7 @@ class SplitFrictionBraking(Manoeuvre):
     """
 
     name: ClassVar[str] = "split-friction-braking"
-    description: ClassVar[str] = (
-        "full braking, the left wheels on slippery road: how far the car turns, and stops"
-    )
+    description: ClassVar[str] = "full braking, the left wheels on slippery road: how far the car turns, and stops"
     source: ClassVar[str] = "surfaces of ISO 14512; friction 0.8 and 0.3; steering held"
     speed: float = quantity("speed", "m/s", default=80 / 3.6)
     friction: float = quantity("dimensionless", "1", default=0.8)
