@@ -41,7 +41,8 @@ def test_compiled_and_uncompiled_agree_to_the_last_bit(
 
 @pytest.mark.parametrize(("controller", "plant"), [("unified", "planar"), ("as-printed", "multibody")])
 def test_all_kernels_of_a_run_agree_to_the_last_bit(
-    controller: str, plant: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    controller: str, plant: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Prediction, Jacobians and plant give the same bits compiled and uncompiled, on the way of a run and around it."""
     calls: dict[str, tuple[ca.Function, list]] = {}
 

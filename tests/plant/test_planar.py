@@ -114,7 +114,9 @@ def test_rows_are_the_model_at_their_instant(build: Build) -> None:
 
 @given(st.lists(st.floats(-2.0, 2.0), min_size=3, max_size=6))
 def test_the_actuator_keeps_its_lock_and_its_rate(build: Build, wanted: list[float]) -> None:
-    """The road-wheel angle follows any commands no faster than its rate and no further than its lock, and gets there."""
+    """The road-wheel angle follows any commands no faster than its rate and no further than its lock, and gets
+    there.
+    """
     commands = [Command(angle, np.zeros(4)) for angle in wanted]
     state, trace = drive(build(SLOW), np.array([5.0, 0, 0, 0, 0, 0]), *commands)
     angles = np.concatenate([[0.0], trace.steering])
@@ -134,7 +136,7 @@ def test_without_a_rate_limit_the_angle_is_there_at_once(build: Build) -> None:
 @settings(max_examples=40)
 @given(states, steering_angles, st.lists(st.floats(-20e3, 20e3), min_size=4, max_size=4))
 def test_tyres_stay_on_their_ellipse(build: Build, start: Array, delta: float, forces: list[float]) -> None:
-    """Whatever is demanded, |Fx| <= mu Fz, both forces stay on the ellipse of eq. (2), and the loads carry the weight."""
+    """Whatever is demanded, |Fx| <= mu Fz, both forces stay on the ellipse (2), and the loads carry the weight."""
     _, trace = drive(build(TALL), start, Command(delta, np.array(forces)))
     grip = 0.85 * trace.wheel_loads
     peak = factors(SEDAN.tyre, trace.wheel_loads)[2]
@@ -216,7 +218,7 @@ def test_it_starts_with_its_wheels_straight(build: Build) -> None:
 @pytest.mark.parametrize("broken", [np.nan, np.inf, -np.inf, 1e200, -1e160])
 @pytest.mark.parametrize("place", [0, 1, 2, 3])
 def test_a_motion_that_diverges_ends_in_nan(build: Build, broken: float, place: int) -> None:
-    """From a state that no vehicle has, the plant goes on without an exception, to numbers that are none or are huge."""
+    """From a state that no vehicle has, it goes on without an exception, to numbers that are none or are huge."""
     start = START.copy()
     start[place] = broken
     state, trace = drive(build(TALL), start, *5 * [TURN])
@@ -233,7 +235,7 @@ def test_a_command_that_is_no_number_is_no_exception(build: Build, command: Comm
 
 @pytest.mark.parametrize("step", [1e-3, 2e-3, 5e-3])
 def test_it_brakes_to_a_standstill_and_stays(build: Build, step: float) -> None:
-    """Braked out of a turn by a driver who lets go at the end, the vehicle comes to rest and does not shake itself apart."""
+    """Braked out of a turn, gently at the end, the vehicle comes to rest and does not shake itself apart."""
     plant = build(step=step, n=round(0.05 / step))
     state = plant.start(np.array([15.0, 0.5, 0.3, 0.0, 0.0, 0.0]))
     for _ in range(80):

@@ -116,7 +116,9 @@ def test_the_motion_is_named_wheel_by_wheel() -> None:
 
 
 def test_the_log_keeps_what_was_commanded(fake: list[FakeController]) -> None:
-    """Steering angle and wheel forces of a step are those of its command; the road wheels follow on the plant's grid."""
+    """Steering angle and wheel forces of a step are those of its command; the road wheels follow on the plant's
+    grid.
+    """
     scenario = load("paper", SHORT)
     fake_command = Command(0.02, np.array([1.0, 2.0, 3.0, 4.0]))
 

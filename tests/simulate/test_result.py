@@ -53,7 +53,9 @@ def test_every_documented_number_has_its_sentence() -> None:
 
 @pytest.mark.parametrize("lateral", [3.0, -2.5, 0.5])
 def test_the_distance_ratio_of_a_straight_path(lateral: float) -> None:
-    """Past a disc of radius 2 m the smallest sqrt(rho) is the lateral distance over 2 m, the clearance what is beyond."""
+    """Past a disc of radius 2 m the smallest sqrt(rho) is the lateral distance over 2 m, the clearance what is
+    beyond.
+    """
     result = recorded(straight(lateral=lateral))
     assert result.min_distance_ratio == pytest.approx(abs(lateral) / 2, abs=1e-9)
     assert result.min_clearance == pytest.approx(max(0.0, abs(lateral) - 2), abs=1e-4)

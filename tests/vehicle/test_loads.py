@@ -62,7 +62,9 @@ def test_roll_is_shared_as_the_static_load_is(height: float, ay: float) -> None:
 
 @given(situations(), st.floats(0.2, 0.7))
 def test_quasi_static_loads_fit_the_accelerations_that_they_cause(situation: tuple, height: float) -> None:
-    """With the loads put back into the model, the accelerations call for the same loads, to a few per cent of mu h / L."""
+    """With the loads put back into the model, the accelerations call for the same loads, to a few per cent of mu h /
+    L.
+    """
     xi, u, _, dry = situation
     p = dry._replace(h=height)
     found = fitting_loads(xi, u, p)

@@ -99,7 +99,7 @@ def test_nothing_depends_on_where_north_is(situation: tuple, angle: float, dista
     """Turned and moved as a whole, the vehicle accelerates as before and travels in the turned direction."""
     xi, u, fz, p = situation
     here = move(xi, u, fz, p).derivative
-    there = move(xi + [0, 0, 0, angle, distance, -distance], u, fz, p).derivative
+    there = move(xi + np.array([0, 0, 0, angle, distance, -distance]), u, fz, p).derivative
     np.testing.assert_array_equal(there[:4], here[:4])
     turn = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
     np.testing.assert_allclose(there[4:], turn @ here[4:], atol=1e-9)
@@ -192,7 +192,9 @@ def test_standstill_is_no_singularity(vx: float, vy: float, r: float, delta: flo
 
 @pytest.mark.parametrize("floor", [SLIP_SPEED_FLOOR, 5.0])
 def test_the_floor_speed_is_crossed_smoothly(floor: float) -> None:
-    """At the speed v0 where slip angles begin to be rounded off, value and slope are continuous; above, nothing changes."""
+    """At the speed v0 where slip angles begin to be rounded off, value and slope are continuous; above, nothing
+    changes.
+    """
     p = Parameters.of(SEDAN, 0.85, floor)
 
     def at(speed: float) -> np.ndarray:

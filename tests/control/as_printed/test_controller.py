@@ -27,7 +27,8 @@ ALL = ("mass", "drift", "hold-input", "jacobian", "discretisation")
 def controller(*corrections: str) -> AsPrintedController:
     """The paper's controller with some misprints put right."""
     words = ", ".join(f'"{each}"' for each in corrections)
-    made: Any = controller_named("as-printed", load("paper", [f"controller.as_printed.corrections=[{words}]"]), "planar")
+    scenario = load("paper", [f"controller.as_printed.corrections=[{words}]"])
+    made: Any = controller_named("as-printed", scenario, "planar")
     return made
 
 
@@ -163,7 +164,9 @@ def test_what_is_too_old_holds_the_command() -> None:
 
 
 def test_as_printed_it_collides() -> None:
-    """In the paper's own scenario the predicted car does not move, so the real one drives straight into the obstacle."""
+    """In the paper's own scenario the predicted car does not move, so the real one drives straight into the
+    obstacle.
+    """
     result = run(load("paper"), "as-printed", "planar").result
     assert result.outcome.value == "collided"
     assert result.min_distance_ratio == pytest.approx(0.0, abs=1e-6)

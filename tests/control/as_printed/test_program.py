@@ -26,10 +26,7 @@ def recursion(model: Discrete, u: np.ndarray, *, with_drift: bool, hold_input: b
     """Eq. (9), one sample after the other, from a deviation of zero."""
     x, states = np.zeros(6), []
     for k in range(HORIZON.prediction):
-        if k < HORIZON.control:
-            acting = u[k]
-        else:
-            acting = u[-1] if hold_input else np.zeros(5)
+        acting = u[k] if k < HORIZON.control else u[-1] if hold_input else np.zeros(5)
         x = model.A @ x + model.B @ acting + (model.d if with_drift else 0)
         states.append(x)
     return np.array(states)

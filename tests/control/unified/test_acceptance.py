@@ -34,7 +34,9 @@ def by_length(table: dict[float, float], tried: list[float]) -> Callable[[np.nda
 
 @given(merits, st.tuples(merits, merits, merits), st.floats(-1e6, 1e6))
 def test_the_merit_never_rises(before: float, after: tuple[float, float, float], promise: float) -> None:
-    """Whatever the model answers and whatever was promised, the merit is as it was or lower, and is its trajectory's."""
+    """Whatever the model answers and whatever was promised, the merit is as it was or lower, and is its
+    trajectory's.
+    """
     current = step(np.zeros((20, 5)), before)
     table = dict(zip(STEP_LENGTHS, after, strict=True))
     taken = accept(current, CHANGE, promise, by_length(table, []))
@@ -48,7 +50,9 @@ def test_the_merit_never_rises(before: float, after: tuple[float, float, float],
 
 @given(merits, st.tuples(merits, merits, merits), st.floats(0.0, 1e6))
 def test_the_first_good_step_or_else_the_best(before: float, after: tuple[float, ...], promise: float) -> None:
-    """Lengths are tried from the whole on until the best so far keeps a share of the promise; failing that, the best."""
+    """Lengths are tried from the whole on until the best so far keeps a share of the promise; failing that, the
+    best.
+    """
     tried: list[float] = []
     table = dict(zip(STEP_LENGTHS, after, strict=True))
     taken = accept(step(np.zeros((20, 5)), before), CHANGE, promise, by_length(table, tried))

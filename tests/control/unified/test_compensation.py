@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from swerve.control import Latency
 from swerve.control.unified.compensation import is_late, n_commands, state_at_effect
 from swerve.vehicle.integrate import rk4
-from tests.control.unified.situations import model, random_start, seeds, seen
+from swerve.world import Ellipse, Obstacle
+from tests.control.unified.situations import RUNNING, controller, model, random_start, seeds, seen
 from tests.control.unified.test_prediction import ROLLING
 from tests.vehicle.motions import STATIC, move
 
@@ -56,6 +57,23 @@ def test_it_is_where_past_commands_lead(seed: int, sensing: float, actuation: fl
     assert sum(duration for _, duration in segments) == pytest.approx(sensing + actuation)
     found = state_at_effect(measurement, given_before, actuation, model())
     np.testing.assert_allclose(found, driven(state, segments), atol=2e-4)
+
+
+@pytest.mark.parametrize("delay", [0.01, 0.04, 0.06])
+def test_an_old_measurement_is_planned_from_like_a_fresh_one(delay: float) -> None:
+    """Rolling straight on, a plan from an old measurement is the plan from what is true now, moving obstacles
+    included.
+    """
+    delayed = controller(f"sensing.delay={delay}")
+    obstacle = Obstacle(Ellipse((2.0, 2.0)), (28.0, -1.0), velocity=(5.0, 2.0))
+    measured = seen(1.0 - delay, RUNNING, obstacle)
+    old = replace(measured, time=1.0)
+    now = seen(1.0, RUNNING + np.array([0, 0, 0, 0, 20.0 * delay, 0]), obstacle)
+    _, from_old, _ = delayed.step(old, delayed.start())
+    _, from_fresh, _ = controller().step(now, controller().start())
+    assert from_old.fallback is None
+    np.testing.assert_allclose(from_old.inputs, from_fresh.inputs, rtol=1e-6, atol=1e-6)
+    np.testing.assert_allclose(from_old.states, from_fresh.states, rtol=1e-6, atol=1e-6)
 
 
 @given(st.floats(0.0, 0.3), st.floats(0.0, 0.3))

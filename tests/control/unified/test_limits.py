@@ -108,7 +108,9 @@ def test_the_force_limit_leaves_room_for_the_lateral_demand() -> None:
 
 @given(st.floats(-0.14, 0.14))
 def test_with_the_force_at_its_limit_most_of_the_lateral_force_is_left(slip: float) -> None:
-    """The force that is allowed at a lateral demand takes no more than a third of the lateral force that is asked for."""
+    """The force that is allowed at a lateral demand takes no more than a third of the lateral force that is asked
+    for.
+    """
     load = float(STATIC[0])
     free = abs(float(lateral_force(DRY, slip, 0.0, 0.85, load)))
     demand = free / (0.85 * load * (1.0161 - 9.0695e-6 * load))

@@ -101,7 +101,14 @@ POLE = Obstacle(Ellipse((0.1, 0.1)), (0.0, 0.0))
 PEDESTRIAN = Obstacle(Ellipse((0.3, 0.3)), (0.0, 0.0))
 
 
-BOX = Obstacle(Rectangle(1.27, 0.79), (0.0, 0.0), heading=-0.3)
+BOX = Obstacle(Rectangle(1.274, 0.791), (0.0, 0.0), heading=-0.298)
+ROUND_THE_CORNER = np.column_stack(
+    [
+        [-3.814, -3.105, -2.396, -1.687, -0.978, -0.269, 0.44, 1.149, 1.858],
+        [1.475, 0.548, 0.255, 0.647, 1.144, 1.072, 0.278, -0.725, -1.235],
+        np.full(9, -0.323),
+    ]
+)
 
 
 def straight_over(speed: float) -> np.ndarray:
@@ -114,15 +121,15 @@ def only_just_clear(found: ObstacleLimit, poses: np.ndarray, side: Side) -> np.n
     least, most = 0.0, 60.0
     for _ in range(40):
         middle = (least + most) / 2
-        moved = poses + [0.0, side.value * middle, 0.0]
+        moved = poses + np.array([0.0, side.value * middle, 0.0])
         least, most = (least, middle) if found.violation(along(moved)) == 0 else (middle, most)
-    return poses + [0.0, side.value * most, 0.0]
+    return poses + np.array([0.0, side.value * most, 0.0])
 
 
 @given(obstacles(), footprints, sides, paths(), st.floats(-1.0, 1.0))
 @example(POLE, Point(), Side.LEFT, straight_over(20.0), 0.0)
 @example(PEDESTRIAN, Point(), Side.RIGHT, straight_over(35.0), 0.0)
-@example(BOX, Point(), Side.LEFT, straight_over(30.0) @ np.array([[0.94, -0.32, 0], [0, 0, 0], [0, 0, 0]]), -0.9)
+@example(BOX, Point(), Side.LEFT, ROUND_THE_CORNER, 0.0)
 def test_nothing_cuts_between_two_poses(
     obstacle: Obstacle, footprint: Footprint, side: Side, poses: np.ndarray, bent: float
 ) -> None:
@@ -148,9 +155,7 @@ def test_nothing_cuts_between_two_poses(
     ("shape", "footprint"),
     [(Rectangle(4.0, 1.8), CAR), (Rectangle(3.0, 2.0), Point()), (Ellipse((0.4, 0.4)), CAR)],
 )
-def test_abreast_of_a_face_nothing_is_given_away(
-    shape: Shape, footprint: Footprint, turned: float, side: Side
-) -> None:
+def test_abreast_of_a_face_nothing_is_given_away(shape: Shape, footprint: Footprint, turned: float, side: Side) -> None:
     """Driving along a face of the obstacle, or with a face of its own to the obstacle, the gap is the clearance."""
     obstacle = Obstacle(shape, (0.0, 0.0), heading=turned)
     along_x, across = np.array([np.cos(turned), np.sin(turned)]), np.array([-np.sin(turned), np.cos(turned)])
@@ -262,7 +267,7 @@ def test_the_obstacle_is_where_it_will_be() -> None:
 @given(seeds, sides)
 def test_the_tail_has_rows_too(seed: int, side: Side) -> None:
     """Beyond the horizon the rows are those of the tail's poses, by the tail's own sensitivities."""
-    trajectory, sensitivities, random = random_roll_out(seed)
+    trajectory, sensitivities, _random = random_roll_out(seed)
     tail = Tail.of(0.85, 20, 0.05)
     end = trajectory.states[-1]
     obstacle = Obstacle(Ellipse((2.0, 2.0)), tuple(end[4:] + 8.0 * np.array([np.cos(end[3]), np.sin(end[3])])))

@@ -59,7 +59,9 @@ def smallest_slacks(problem: Problem, z: np.ndarray, n_soft: int) -> np.ndarray:
 @settings(max_examples=12)
 @given(seeds)
 def test_the_program_is_the_sum_of_its_parts(seed: int) -> None:
-    """At any change z, with slacks as small as they can be, it costs the terms' models and the prices of the violations."""
+    """At any change z, with slacks as small as they can be, it costs the terms' models and the prices of the
+    violations.
+    """
     trajectory, sensitivities, random = random_roll_out(seed)
     found = program(ahead(trajectory), ahead(trajectory, 3.0))
     problem = found.convex(trajectory, sensitivities, TRUST)

@@ -45,7 +45,9 @@ SPOILED = {
 
 @pytest.mark.parametrize("first", range(0, N_STEPS, 3))
 def test_a_burst_at_any_time_is_survived(first: int) -> None:
-    """Three bad measurements in a row, at the start, in the middle of the swerve or after: three fallbacks, and clear."""
+    """Three bad measurements in a row, at the start, in the middle of the swerve or after: three fallbacks, and
+    clear.
+    """
     done = run(load("paper", SHORT), plant="planar", sense=blinded(lambda k: first <= k < first + 3))
     assert done.result.fallback_steps == min(3, N_STEPS - first)
     assert [k for k, plan in enumerate(done.plans) if plan.fallback] == list(range(first, min(first + 3, N_STEPS)))
