@@ -24,7 +24,7 @@ from swerve.vehicle.parameters import Vehicle
 from swerve.vehicle.tyre import lateral_force, longitudinal_force
 
 SLIP_SPEED_FLOOR = 0.5  # [m/s] v0 for steps up to 3.7 ms
-LOAD_PASSES = 2  # from static loads to loads that fit the accelerations; the error falls by mu h / L in each
+LOAD_PASSES = 3  # from static loads to loads that fit the accelerations; the error falls by mu h / L in each
 
 
 class Parameters(NamedTuple):
