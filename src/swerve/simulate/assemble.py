@@ -5,7 +5,7 @@ from typing import Any, Final
 
 from swerve.control import Controller, Goal, Horizon, Latency, Weights
 from swerve.control.as_printed import AsPrintedController, AsPrintedSettings
-from swerve.control.unified import UnifiedController, UnifiedSettings
+from swerve.control.unified import Formulation, UnifiedController, UnifiedSettings
 from swerve.errors import InputError, unknown
 from swerve.plant import MultibodyPlant, PlanarPlant, Plant
 from swerve.scenario import Scenario
@@ -48,13 +48,14 @@ def _shared(scenario: Scenario, plant: str) -> dict[str, Any]:
 
 
 def _unified(scenario: Scenario, plant: str) -> UnifiedController:
-    settings = UnifiedSettings(**scenario.controller.unified.model_dump())
-    return UnifiedController(
+    formulation = Formulation(
         footprint=scenario.ego.to_footprint(),
+        road=scenario.road.to_world(),
         latency=_latency(scenario, plant),
-        settings=settings,
+        settings=UnifiedSettings(**scenario.controller.unified.model_dump()),
         **_shared(scenario, plant),
     )
+    return UnifiedController(formulation)
 
 
 def _as_printed(scenario: Scenario, plant: str) -> AsPrintedController:

@@ -1,31 +1,97 @@
-"""Left or right: clear before not clear, then cheaper, left when equal; and no dithering once a side is taken."""
+"""Which way is taken: clear before not clear, on the road before off it, then the cheaper one; and no dithering.
 
-from swerve.control.plan import Side
-from swerve.control.unified.branch import SidePlan
+Where no way is clear, the one with the least impact speed: a collision that can't be avoided is to be a mild one.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from swerve.control.unified.improve import WayPlan
 
 CLEAR = 5e-3  # [m] a margin missed by less counts as kept
-EQUAL = 1e-6  # [1] relative difference of two merits that is rounding
+NEARLY = 0.1  # [m] a margin missed by less may still be mended; by more on every way, and a collision is expected
+ON_ROAD = 0.05  # [m] beyond an edge that does not count
+EQUAL = 1e-6  # [1] relative difference of two costs that is rounding
+MILDER = 0.5  # [m/s] by which an impact must be slower to be worth another way
 
 
-def choose(sides: dict[Side, SidePlan], committed: Side | None, commitment: float) -> SidePlan:
-    """The side to take.
+@dataclass(frozen=True, eq=False)
+class Candidate:
+    """A plan that may be taken.
+
+    Attributes:
+        plan: of one way.
+        cost: of it, horizon and beyond [1].
+        impact_speed: relative to the obstacle, None where nothing is touched [m/s].
+    """
+
+    plan: WayPlan
+    cost: float
+    impact_speed: float | None
+
+    @property
+    def faults(self) -> tuple[bool, bool]:
+        """Whether it is not clear, and whether it leaves the road: the first is worse."""
+        return self.plan.violation > CLEAR, self.plan.off_road > ON_ROAD
+
+    @property
+    def impact(self) -> float:
+        """The impact speed, infinitely little where nothing is touched [m/s]."""
+        return -np.inf if self.impact_speed is None else self.impact_speed
+
+
+@dataclass(frozen=True, eq=False)
+class Choice:
+    """The candidate that is taken, and why."""
+
+    candidate: Candidate
+    reason: str
+
+
+def choose(candidates: Sequence[Candidate], committed: Candidate | None, commitment: float) -> Choice:
+    """The way to take.
 
     Args:
-        sides: the plan of each side.
-        committed: the side taken so far while an obstacle shaped the plan, None if there was none.
-        commitment: share of the committed side's merit that the other one must stay below to be taken [1].
+        candidates: of the ways that were planned, at least one; of equal ones the first is taken.
+        committed: that of them which was taken so far while an obstacle shaped the plan, None if there was none.
+        commitment: share of the committed one's cost that another must stay below to be taken [1].
     """
-    left, right = sides[Side.LEFT], sides[Side.RIGHT]
-    if committed is None:
-        if _is_clear(left) != _is_clear(right):
-            return left if _is_clear(left) else right
-        return left if left.step.merit <= right.step.merit * (1 + EQUAL) + EQUAL else right
-    here, there = (left, right) if committed is Side.LEFT else (right, left)
-    if _is_clear(here) and not _is_clear(there):
-        return here
-    is_rescue = _is_clear(there) and not _is_clear(here)
-    return there if is_rescue or there.step.merit < commitment * here.step.merit else here
+    if len(candidates) == 1:
+        return Choice(candidates[0], "the only way")
+    if min(each.plan.violation for each in candidates) > NEARLY:
+        return _mildest(candidates, committed)
+    best = _best(candidates)
+    if committed is None or best is committed:
+        return Choice(best, _why(best, candidates))
+    if best.faults < committed.faults:
+        what = "touches an obstacle" if committed.faults[0] else "leaves the road"
+        return Choice(best, f"the way so far, {committed.plan.way.name}, {what}")
+    if best.faults == committed.faults and best.cost < commitment * committed.cost:
+        return Choice(best, f"costs less than {commitment:.0%} of the way so far, {committed.plan.way.name}")
+    return Choice(committed, "the way so far, and none is much better")
 
 
-def _is_clear(plan: SidePlan) -> bool:
-    return plan.violation <= CLEAR
+def _best(candidates: Sequence[Candidate]) -> Candidate:
+    best = candidates[0]
+    for each in candidates[1:]:
+        is_cheaper = each.cost < best.cost - EQUAL * (1 + abs(best.cost))
+        if each.faults < best.faults or (each.faults == best.faults and is_cheaper):
+            best = each
+    return best
+
+
+def _mildest(candidates: Sequence[Candidate], committed: Candidate | None) -> Choice:
+    mildest = min(candidates, key=lambda each: each.impact)
+    if committed is not None and committed.impact <= mildest.impact + MILDER:
+        mildest = committed
+    speed = "none" if mildest.impact_speed is None else f"{mildest.impact_speed:.1f} m/s"
+    return Choice(mildest, f"no way is clear: the least impact speed, {speed}")
+
+
+def _why(best: Candidate, candidates: Sequence[Candidate]) -> str:
+    better = [each for each in candidates if each.faults == best.faults]
+    if len(better) > 1:
+        return "the cheapest that is clear" if not best.faults[0] else "the cheapest, though none is clear"
+    return "the only one that is clear" if not best.faults[0] else "the one that misses least"

@@ -5,7 +5,7 @@ From dx_0 = 0,   dx_k+1 = A_k dx_k + B_k E_k z,   where E_k picks (and scales) t
 This is W of sec. 4.3.2, for a model that varies along the plan and an input that is held.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,7 @@ class Sensitivities:
 
     Attributes:
         states: (Np, 6, n) of the states at the end of each sample.
-        poses: (2 Np, 3, n) of X, Y, psi at every half sample but the first.
+        poses: (2 Np, 3, n) of X, Y, psi at every half sample but the first; then of those beyond the horizon.
         front_slip: (Np, n).
         rear_slip: (Np, n).
     """
@@ -34,6 +34,10 @@ class Sensitivities:
     poses: Array
     front_slip: Array
     rear_slip: Array
+
+    def extended(self, poses: Array) -> "Sensitivities":
+        """The same with those of poses beyond the horizon, (n_beyond, 3, n)."""
+        return replace(self, poses=np.concatenate([self.poses, poses]))
 
 
 class Blocking:

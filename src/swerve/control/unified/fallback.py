@@ -27,7 +27,8 @@ def fallback_plan(time: float, reason: Fallback, memory: Memory, largest: Array,
     samples = memory.age + 1
     if memory.plan is not None and samples < n_samples:
         states = memory.plan.states[samples:]
-        return Plan(time, shifted(memory.plan.inputs, samples), states, memory.plan.side, fallback=reason)
+        last = memory.plan
+        return Plan(time, shifted(last.inputs, samples), states, last.side, last.name, last.is_shaped, fallback=reason)
     braking = np.zeros((n_samples, largest.size))
     braking[:, FORCES] = -largest[FORCES]
-    return Plan(time, braking, np.empty((0, 6)), None, fallback=reason)
+    return Plan(time, braking, np.empty((0, 6)), name="full braking", fallback=reason)

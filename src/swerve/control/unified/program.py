@@ -12,13 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control.unified.condensing import Sensitivities
-from swerve.control.unified.limits import HardLimit, InputBox, ObstacleLimit, SoftLimit
+from swerve.control.unified.limits import HardLimit, InputBox, ObstacleLimit, RoadEdge, SoftLimit
 from swerve.control.unified.limits.limit import Rows
 from swerve.control.unified.prediction import Trajectory
 from swerve.control.unified.terms import Term
-from swerve.qp import Problem
+from swerve.qp import Problem, Solution
 
 Array = NDArray[np.float64]
+
+ACTIVE = 1e-6  # [1/m, 1/rad] a multiplier beyond this holds a plan
 
 
 @dataclass(frozen=True)
@@ -74,8 +76,21 @@ class Program:
 
     def missed_clearance(self, score: Score) -> float:
         """Largest distance by which the margin to an obstacle is missed [m]."""
+        return self._missed(score, ObstacleLimit)
+
+    def off_road(self, score: Score) -> float:
+        """Largest distance beyond an edge of the road [m]."""
+        return self._missed(score, RoadEdge)
+
+    def _missed(self, score: Score, kind: type[ObstacleLimit] | type[RoadEdge]) -> float:
         missed = zip(self.soft, score.violations, strict=True)
-        return max((each for limit, each in missed if isinstance(limit, ObstacleLimit)), default=0.0)
+        return max((limit.missed(each) for limit, each in missed if isinstance(limit, kind)), default=0.0)
+
+    def active(self, solution: Solution) -> tuple[str, ...]:
+        """The names of the soft limits, each known by its slack, that have a row with a multiplier."""
+        rows = np.abs(solution.row_multipliers) > ACTIVE
+        slacks = solution.problem.rows[rows, self.box.blocking.n :] != 0
+        return tuple(limit.name for limit, held in zip(self.soft, slacks.any(axis=0), strict=True) if held)
 
     def convex(self, trajectory: Trajectory, sensitivities: Sensitivities, trust: Array) -> Problem:
         """The quadratic program about a trajectory, for changes within `trust` (5,) [rad, N, N, N, N]."""

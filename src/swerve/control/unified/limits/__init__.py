@@ -3,6 +3,7 @@
 from swerve.control.unified.limits.input_box import InputBox
 from swerve.control.unified.limits.limit import HardLimit, Penalty, Rows, SoftLimit
 from swerve.control.unified.limits.obstacle import ObstacleLimit
+from swerve.control.unified.limits.road_edge import RoadEdge
 from swerve.control.unified.limits.slip import SlipLimit
 from swerve.control.unified.limits.steering_rate import SteeringRateLimit
 
@@ -11,6 +12,7 @@ __all__ = [
     "InputBox",
     "ObstacleLimit",
     "Penalty",
+    "RoadEdge",
     "Rows",
     "SlipLimit",
     "SoftLimit",

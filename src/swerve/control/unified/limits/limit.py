@@ -50,6 +50,11 @@ class SoftLimit(Protocol):
 
     @property
     @abstractmethod
+    def name(self) -> str:
+        """As `Plan.active` says it."""
+
+    @property
+    @abstractmethod
     def penalty(self) -> Penalty:
         """Price of the slack."""
 

@@ -1,23 +1,21 @@
-"""The footprint stays out of an obstacle, on one side of it: eq. (15) as half-planes that nothing cuts between.
+"""The footprint stays out of an obstacle, passed in one way: eq. (15) as half-planes that nothing cuts between.
 
-    n . (p_j - c_j) - h(n) - h_ego(-n; psi_j) >= margin        for every half sample j
+    n . (p_j - c_j) - h(n) - h_ego(-n; psi_j) >= margin        for every half sample j, and beyond the horizon
 
-with p the centre of gravity, c the obstacle's predicted centre, h and h_ego the support functions of both shapes. The
-half-plane lies inside the region that is allowed: a plan that keeps the rows keeps clear.
+with p the centre of gravity, c the obstacle's expected centre, h and h_ego the support functions of both shapes. The
+half-plane lies inside the region that is allowed: a plan that keeps the rows keeps clear. Whoever stays behind keeps a
+gap besides, for comfort; where it is missed the plan is clear all the same.
 """
-
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.control.plan import Side
+from swerve.control.plan import Passing
 from swerve.control.unified.condensing import Sensitivities
+from swerve.control.unified.forecast import Forecast
 from swerve.control.unified.limits.limit import Penalty, Rows
 from swerve.control.unified.prediction import Trajectory
-from swerve.control.unified.separation import Planes, footprint_reach, separating_planes
-from swerve.control.unified.tail import Tail
-from swerve.world import Footprint, Obstacle
+from swerve.control.unified.separation import Planes, Separation
 
 Array = NDArray[np.float64]
 
@@ -26,24 +24,33 @@ SAG = 2e-3  # [m] of the margin that curvature may take: whole steps would other
 
 
 class ObstacleLimit:
-    """The limit for one obstacle, as it was seen at the start of the plan, passed on one side."""
+    """The limit for one obstacle, as it was seen at the start of the plan, passed in one way."""
 
     def __init__(
         self,
-        obstacle: Obstacle,
-        footprint: Footprint,
-        side: Side,
+        index: int,
+        forecast: Forecast,
         times: Array,
-        tail: Tail,
+        separation: Separation,
+        passing: Passing,
         margin: float,
+        comfort: float,
         penalty: Penalty,
     ) -> None:
-        """Times (2 Np + 1,) [s] are those of the trajectory's poses; the obstacle is where it was seen at time 0."""
-        self._penalty = penalty
-        self._obstacle, self._footprint, self._side, self._margin = obstacle, footprint, side, margin
-        self._tail = tail
-        self._last: tuple[Trajectory, Gaps] | None = None
-        self._centres = obstacle.position_at(np.concatenate([times, times[-1] + tail.times]))
+        """Obstacle `index`; times (n_poses,) [s] are those of the trajectory's poses, on the controller's clock.
+
+        `margin` is what has to be kept to be clear, `comfort` what is kept besides [m].
+        """
+        self._name = f"obstacle {index}"
+        self._penalty, self._passing, self._margin, self._comfort = penalty, passing, margin, comfort
+        self._forecast, self._separation, self._times = forecast, separation, times
+        self._centres = forecast.position_at(times)
+        self._last: tuple[Trajectory, Planes] | None = None
+
+    @property
+    def name(self) -> str:
+        """As `Plan.active` says it."""
+        return self._name
 
     @property
     def penalty(self) -> Penalty:
@@ -51,43 +58,39 @@ class ObstacleLimit:
         return self._penalty
 
     def violation(self, trajectory: Trajectory) -> float:
-        """Largest distance by which the margin, less what curvature may take, is missed [m]."""
-        return max(0.0, self._margin - SAG - float(self._gaps(trajectory).gap.min()))
+        """Largest distance by which margin and comfort, less what curvature may take, are missed [m]."""
+        return max(0.0, self._margin + self._comfort - SAG - float(self._planes(trajectory).gap.min()))
+
+    def missed(self, violation: float) -> float:
+        """How much of a violation concerns the margin itself [m]."""
+        return max(0.0, violation - self._comfort)
 
     def is_near(self, trajectory: Trajectory) -> bool:
         """Whether any pose is within reach, so that `rows` are not empty."""
-        return bool(self._gaps(trajectory).gap.min() < REACH)
+        return bool(self._planes(trajectory).gap.min() < REACH)
 
     def rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
         """A row for each half-plane in reach."""
-        planes, gap, turning = self._gaps(trajectory)
-        near = np.flatnonzero(gap < REACH)
-        beyond = self._tail.sensitivities(trajectory.states[-1], sensitivities.states[-1])
-        of_poses = np.concatenate([sensitivities.poses, beyond])[planes.pose[near] - 1]
-        direction = np.column_stack([planes.normal[near], turning[near]])
-        matrix = (direction[:, np.newaxis] @ of_poses)[:, 0]
-        return Rows(matrix, self._margin - gap[near], np.full(len(near), np.inf))
+        planes = self._planes(trajectory)
+        near = np.flatnonzero(planes.gap < REACH)
+        direction = np.column_stack([planes.normal[near], planes.turning[near]])
+        matrix = (direction[:, np.newaxis] @ sensitivities.poses[planes.pose[near] - 1])[:, 0]
+        return Rows(matrix, self._margin + self._comfort - planes.gap[near], np.full(len(near), np.inf))
 
-    def _gaps(self, trajectory: Trajectory) -> "Gaps":
+    def impact(self, trajectory: Trajectory) -> tuple[int, Array] | None:
+        """The first pose at which the plan is in contact, and the obstacle's velocity (2,) then; None without one."""
+        planes = self._planes(trajectory)
+        touching = planes.pose[planes.gap < 0]
+        if len(touching) == 0:
+            return None
+        first = int(touching.min())
+        return first, self._forecast.velocity_at(self._times[first : first + 1])[0]
+
+    def _planes(self, trajectory: Trajectory) -> Planes:
         """Half-planes and gaps of a trajectory; those of the last one are kept, since it is asked for them thrice."""
         if self._last is None or self._last[0] is not trajectory:
-            self._last = trajectory, self._measure(trajectory)
+            from_centre = trajectory.poses.copy()
+            from_centre[:, :2] -= self._centres
+            shape, heading = self._forecast.shape, self._forecast.heading
+            self._last = trajectory, self._separation.planes(shape, heading, from_centre, self._passing)
         return self._last[1]
-
-    def _measure(self, trajectory: Trajectory) -> "Gaps":
-        beyond = self._tail.poses(trajectory.states[-1], self._side)
-        from_centre = np.concatenate([trajectory.poses, beyond])
-        from_centre[:, :2] -= self._centres
-        planes = separating_planes(self._obstacle, self._footprint, from_centre, self._side)
-        poses = from_centre[planes.pose]
-        reach, turning = footprint_reach(self._footprint, planes.normal, poses[:, 2])
-        gap = (planes.normal * poses[:, :2]).sum(axis=1) - planes.reach - reach
-        return Gaps(planes, gap, -turning)
-
-
-class Gaps(NamedTuple):
-    """Half-planes, the gap to each (k,) [m], and its derivative by psi (k,) [m/rad]."""
-
-    planes: Planes
-    gap: Array
-    turning: Array

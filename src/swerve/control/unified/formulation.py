@@ -1,0 +1,137 @@
+"""The controller's formula: which terms, limits and paths make the program of a way; all that is built only once.
+
+minimise  sum_i |eta(k+i) - eta_ref|_Q^2 + sum_j |du(k+j)|_R^2 + w sum |Fx|^2 + penalties            (10)
+with      the nonlinear two-track model (1), linearised along each way's shifted plan                (12), (13)
+within    steering lock, wheel forces that leave room for the lateral demand                         (14)
+          half-planes between footprint and obstacles, road edges, slip angles below the tyre's peak (15)
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swerve.control.plan import Passing, Side
+from swerve.control.settings import Goal, Horizon, Latency, Weights
+from swerve.control.unified.compensation import state_at_effect
+from swerve.control.unified.condensing import Blocking
+from swerve.control.unified.forecast import Forecast
+from swerve.control.unified.improve import WayPlan
+from swerve.control.unified.limits import (
+    InputBox,
+    ObstacleLimit,
+    Penalty,
+    RoadEdge,
+    SlipLimit,
+    SoftLimit,
+    SteeringRateLimit,
+)
+from swerve.control.unified.lines import Lines
+from swerve.control.unified.memory import Memory
+from swerve.control.unified.outlook import outlook
+from swerve.control.unified.prediction import PredictionModel
+from swerve.control.unified.program import Program
+from swerve.control.unified.scene import SHORTEST_LOOK, Place, Scene, look
+from swerve.control.unified.screening import Pricing, price
+from swerve.control.unified.separation import Separation
+from swerve.control.unified.settings import UnifiedSettings
+from swerve.control.unified.situation import Situation
+from swerve.control.unified.tail import Tail
+from swerve.control.unified.terms import InputRate, Tracking, WheelForce
+from swerve.control.unified.way import Way
+from swerve.conventions import DELTA, VX, VY, Y
+from swerve.signals import Measurement
+from swerve.vehicle import Vehicle
+from swerve.world import Footprint, Road
+
+Array = NDArray[np.float64]
+
+N_COARSE = 16  # steps of the tail that are larger than a sample
+EDGE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of what is off the road: less than of a collision, more than of a slide
+
+
+class Formulation:
+    """The formula for one vehicle on one road."""
+
+    def __init__(
+        self,
+        vehicle: Vehicle,
+        footprint: Footprint,
+        road: Road,
+        friction: float,
+        goal: Goal,
+        horizon: Horizon,
+        weights: Weights,
+        latency: Latency,
+        settings: UnifiedSettings,
+    ) -> None:
+        """Build the kernels; a first time compiles them."""
+        self.vehicle, self.horizon, self.latency, self.settings = vehicle, horizon, latency, settings
+        self.place = Place(footprint, road, friction, goal.lateral_offset, settings.clearance_margin)
+        self.model = PredictionModel(vehicle, friction, horizon)
+        self.blocking = Blocking(horizon)
+        n_fine = 2 * horizon.prediction + 1 + horizon.prediction
+        self._tail = Tail(horizon.prediction + N_COARSE)
+        self._separation = Separation(footprint, n_fine + N_COARSE, n_fine)
+        self._lines = Lines(footprint, self._tail.n_steps)
+        self._half_samples = np.arange(2 * horizon.prediction + 1) * horizon.sample_time / 2
+        self._tracking = (
+            Tracking(VX, goal.speed, weights.speed),
+            Tracking(VY, 0.0, weights.lateral_speed),
+            Tracking(Y, goal.lateral_offset, weights.lateral_offset),
+        )
+        rates = np.array([weights.steering_rate] + 4 * [weights.force_rate])
+        self._input_rate = InputRate.of(rates, self.blocking)
+        self._force = WheelForce(settings.force_weight, self.blocking)
+        self._trust = np.array([settings.trust_steering] + 4 * [settings.trust_force])
+        self._clearance = Penalty(settings.clearance_penalty, settings.clearance_penalty_quadratic)
+        slip = Penalty(settings.slip_penalty, settings.slip_penalty_quadratic)
+        self._stability = (*self._edges(), SlipLimit(settings.slip_limit, slip))
+        self._pricing = Pricing(goal, weights, horizon.sample_time, settings.clearance_penalty)
+
+    def scene(self, measurement: Measurement, forecasts: tuple[Forecast, ...], memory: Memory) -> Scene:
+        """What this step plans in, from where its command begins to act."""
+        delay = self.latency.effect(float(measurement.state[VX]))
+        start = state_at_effect(measurement, memory.commands, delay, self.model)
+        return look(self.place, start, measurement.time + delay, forecasts, self._tail, self._lines)
+
+    def situation(
+        self, scene: Scene, way: Way, measurement: Measurement, memory: Memory, is_over: Callable[[], bool]
+    ) -> Situation:
+        """Cost and limits of this step for one way."""
+        duration = float(self._half_samples[-1])
+        beyond = outlook(scene, way, self.horizon.sample_time, self.horizon.prediction, N_COARSE, duration)
+        times = scene.time + np.concatenate([self._half_samples, duration + beyond.times])
+        box = InputBox.of(self.vehicle, self.place.friction, measurement.wheel_loads, self.blocking)
+        obstacles = [self._obstacle(scene, way, i, times) for i in range(len(scene.forecasts))]
+        rate = self.vehicle.steering_rate_limit * self.horizon.sample_time
+        hard = [SteeringRateLimit(rate, float(memory.command[DELTA]), self.blocking)] if np.isfinite(rate) else []
+        terms = (*self._tracking, self._input_rate.after(memory.command), self._force)
+        program = Program(terms, box, hard, (*obstacles, *self._stability))
+        loads, trust = measurement.wheel_loads, self._trust
+        return Situation(way, program, self.model, self._tail, beyond, times, scene.start, loads, trust, is_over)
+
+    def price(self, scene: Scene, way: Way) -> float:
+        """The price of a way as a point mass would drive it [1]."""
+        beyond = outlook(scene, way, self.horizon.sample_time, self.horizon.prediction, N_COARSE, 0.0)
+        return price(scene, way, beyond, self._tail, self._lines, self._pricing)
+
+    def total(self, plan: WayPlan) -> float:
+        """What a plan costs, horizon and beyond [1]."""
+        trajectory, beyond = plan.step.trajectory, plan.situation.outlook
+        poses = trajectory.poses[len(self._half_samples) :]
+        window = SHORTEST_LOOK - float(self._half_samples[-1])
+        return plan.step.merit + self._pricing.tracking(poses, trajectory.speeds_beyond, beyond.durations, window)
+
+    def _obstacle(self, scene: Scene, way: Way, index: int, times: Array) -> ObstacleLimit:
+        passing = way.passing[index]
+        comfort = self.settings.stopping_gap if passing is Passing.BEHIND else 0.0
+        margin, penalty = self.place.margin, self._clearance
+        return ObstacleLimit(
+            index, scene.forecasts[index], times, self._separation, passing, margin, comfort, penalty
+        )
+
+    def _edges(self) -> list[SoftLimit]:
+        edges = ((Side.LEFT, self.place.road.left_edge), (Side.RIGHT, self.place.road.right_edge))
+        place = self.place
+        return [RoadEdge(side, edge, place.footprint, place.margin, EDGE) for side, edge in edges if edge is not None]
