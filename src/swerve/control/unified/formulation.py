@@ -7,6 +7,7 @@ within    steering lock, wheel forces that leave room for the lateral demand    
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,12 +20,14 @@ from swerve.control.unified.forecast import Forecast
 from swerve.control.unified.improve import WayPlan
 from swerve.control.unified.limits import (
     InputBox,
+    Lane,
     ObstacleLimit,
     Penalty,
     RoadEdge,
     SlipLimit,
     SoftLimit,
     SteeringRateLimit,
+    StoppingGap,
 )
 from swerve.control.unified.lines import Lines
 from swerve.control.unified.memory import Memory
@@ -47,7 +50,19 @@ from swerve.world import Footprint, Road
 Array = NDArray[np.float64]
 
 N_COARSE = 16  # steps of the tail that are larger than a sample
+CALM = 0.25  # [1] share of the slip angle that a straight stop may take; changes of steering cost 1 / share^4 as much
+LANE_KEPT = 0.1  # [m] to each side by which a stop may leave its line
+LANE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of more than that
+COMFORT = Penalty(2e3, 0.0)  # [1/m] of a gap that is missed: more than a standing vehicle gains by creeping on
 EDGE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of what is off the road: less than of a collision, more than of a slide
+
+
+@dataclass(frozen=True)
+class _Calmness:
+    """How much a way may steer: a stop has nothing to gain from it but what tyres that slip sideways brake."""
+
+    input_rate: InputRate
+    slip: SlipLimit
 
 
 class Formulation:
@@ -80,13 +95,12 @@ class Formulation:
             Tracking(VY, 0.0, weights.lateral_speed),
             Tracking(Y, goal.lateral_offset, weights.lateral_offset),
         )
-        rates = np.array([weights.steering_rate] + 4 * [weights.force_rate])
-        self._input_rate = InputRate.of(rates, self.blocking)
         self._force = WheelForce(settings.force_weight, self.blocking)
         self._trust = np.array([settings.trust_steering] + 4 * [settings.trust_force])
         self._clearance = Penalty(settings.clearance_penalty, settings.clearance_penalty_quadratic)
-        slip = Penalty(settings.slip_penalty, settings.slip_penalty_quadratic)
-        self._stability = (*self._edges(), SlipLimit(settings.slip_limit, slip))
+        self._edges = self._road_edges()
+        self._swerving = self._calmness(weights, 1.0)
+        self._straight = self._calmness(weights, CALM)
         self._pricing = Pricing(goal, weights, horizon.sample_time, settings.clearance_penalty)
 
     def scene(self, measurement: Measurement, forecasts: tuple[Forecast, ...], memory: Memory) -> Scene:
@@ -103,11 +117,13 @@ class Formulation:
         beyond = outlook(scene, way, self.horizon.sample_time, self.horizon.prediction, N_COARSE, duration)
         times = scene.time + np.concatenate([self._half_samples, duration + beyond.times])
         box = InputBox.of(self.vehicle, self.place.friction, measurement.wheel_loads, self.blocking)
-        obstacles = [self._obstacle(scene, way, i, times) for i in range(len(scene.forecasts))]
+        obstacles = [limit for i in range(len(scene.forecasts)) for limit in self._obstacle(scene, way, i, times)]
         rate = self.vehicle.steering_rate_limit * self.horizon.sample_time
         hard = [SteeringRateLimit(rate, float(memory.command[DELTA]), self.blocking)] if np.isfinite(rate) else []
-        terms = (*self._tracking, self._input_rate.after(memory.command), self._force)
-        program = Program(terms, box, hard, (*obstacles, *self._stability))
+        calm = self._straight if way.is_straight else self._swerving
+        terms = (*self._tracking, calm.input_rate.after(memory.command), self._force)
+        lane = self._lane(scene) if way.is_straight else ()
+        program = Program(terms, box, hard, (*obstacles, *lane, *self._edges, calm.slip))
         loads, trust = measurement.wheel_loads, self._trust
         return Situation(way, program, self.model, self._tail, beyond, times, scene.start, loads, trust, is_over)
 
@@ -123,15 +139,26 @@ class Formulation:
         window = SHORTEST_LOOK - float(self._half_samples[-1])
         return plan.step.merit + self._pricing.tracking(poses, trajectory.speeds_beyond, beyond.durations, window)
 
-    def _obstacle(self, scene: Scene, way: Way, index: int, times: Array) -> ObstacleLimit:
-        passing = way.passing[index]
-        comfort = self.settings.stopping_gap if passing is Passing.BEHIND else 0.0
-        margin, penalty = self.place.margin, self._clearance
-        return ObstacleLimit(
-            index, scene.forecasts[index], times, self._separation, passing, margin, comfort, penalty
+    def _obstacle(self, scene: Scene, way: Way, index: int, times: Array) -> list[SoftLimit]:
+        """The limits for one obstacle."""
+        forecast, passing = scene.forecasts[index], way.passing[index]
+        limit = ObstacleLimit(
+            index, forecast, times, self._separation, passing, self.place.margin, self._clearance
         )
+        behind = passing is Passing.BEHIND
+        return [limit, StoppingGap(limit, self.settings.stopping_gap, COMFORT)] if behind else [limit]
 
-    def _edges(self) -> list[SoftLimit]:
+    def _calmness(self, weights: Weights, share: float) -> "_Calmness":
+        rates = np.array([weights.steering_rate / share**4] + 4 * [weights.force_rate])
+        slip = Penalty(self.settings.slip_penalty, self.settings.slip_penalty_quadratic)
+        return _Calmness(InputRate.of(rates, self.blocking), SlipLimit(share * self.settings.slip_limit, slip))
+
+    def _lane(self, scene: Scene) -> list[SoftLimit]:
+        """The lane of a way that only brakes, from where the vehicle is to its goal."""
+        here, goal = float(scene.start[Y]), self.place.lateral_offset
+        return [Lane(min(here, goal) - LANE_KEPT, max(here, goal) + LANE_KEPT, LANE)]
+
+    def _road_edges(self) -> list[SoftLimit]:
         edges = ((Side.LEFT, self.place.road.left_edge), (Side.RIGHT, self.place.road.right_edge))
         place = self.place
         return [RoadEdge(side, edge, place.footprint, place.margin, EDGE) for side, edge in edges if edge is not None]

@@ -56,7 +56,7 @@ class WayPlan:
     @property
     def is_shaped(self) -> bool:
         """Whether an obstacle or an edge held the plan."""
-        return any(name.startswith(("obstacle", "left", "right")) for name in self.active)
+        return any("obstacle" in name or "edge" in name for name in self.active)
 
 
 def improve(plan: WayPlan, iterations: int) -> WayPlan:

@@ -20,7 +20,7 @@ from swerve.world import Ellipse, Footprint, Point, Shape
 Array = NDArray[np.float64]
 
 ANY: Final = 2  # how an obstacle is passed when it does not matter; else the value of a `Passing`
-OBLIQUE: Final = 0.5  # [1] n_X of a line for staying behind that may push to a side
+OBLIQUE: Final = 0.9  # [1] -n_X of a line for staying behind: what pushes more to a side is no such line
 
 
 class Lines:

@@ -19,7 +19,7 @@ from swerve.world import Shape
 Array = NDArray[np.float64]
 
 SWERVING = 0.6  # [1] share of mu g; the rest is the time that a yaw rate takes to build up
-BRAKING = 0.9  # [1] share of mu g of a straight stop
+BRAKING = 0.8  # [1] share of mu g of a straight stop
 BRAKING_IN_A_SWERVE = 0.6  # [1] share of mu g
 GENTLE = 0.3  # [1] share of mu g with which a stop ends a lateral motion
 STIFFNESS = 9.0  # [1/s^2] of the steering for a target
@@ -41,12 +41,12 @@ def outlook(scene: Scene, way: Way, sample_time: float, n_fine: int, n_coarse: i
         ahead: from the scene's start to where the outlook begins [s].
     """
     grip = scene.place.grip
-    braking = 0.0 if not way.brakes else BRAKING * grip if way.side is None else BRAKING_IN_A_SWERVE * grip
+    braking = 0.0 if not way.brakes else BRAKING * grip if way.is_straight else BRAKING_IN_A_SWERVE * grip
     stop = scene.speed / braking - n_fine * sample_time if braking else 0.0
     durations = np.full(n_fine + n_coarse, sample_time)
     durations[n_fine:] = max(GROWING, stop / n_coarse)
     times = ahead + np.cumsum(durations)
-    if way.brakes and way.side is None:
+    if way.is_straight:
         return Outlook(durations, np.zeros_like(durations), 0.0, GENTLE * grip, braking)
     return Outlook(durations, _targets(scene, way, times), STIFFNESS, SWERVING * grip, braking)
 

@@ -79,12 +79,12 @@ class Program:
         return self._missed(score, ObstacleLimit)
 
     def off_road(self, score: Score) -> float:
-        """Largest distance beyond an edge of the road [m]."""
+        """Largest distance by which the margin to an edge of the road is missed [m]."""
         return self._missed(score, RoadEdge)
 
     def _missed(self, score: Score, kind: type[ObstacleLimit] | type[RoadEdge]) -> float:
         missed = zip(self.soft, score.violations, strict=True)
-        return max((limit.missed(each) for limit, each in missed if isinstance(limit, kind)), default=0.0)
+        return max((each for limit, each in missed if isinstance(limit, kind)), default=0.0)
 
     def active(self, solution: Solution) -> tuple[str, ...]:
         """The names of the soft limits, each known by its slack, that have a row with a multiplier."""

@@ -6,7 +6,8 @@ length sees a stop. So the path goes on, in steps that grow:
 
     Y'' = clip(w^2 (target - Y) - 2 w Y', -a, a),    a <= CURVATURE X'^2,    X'' = -b while X' > 0
 
-It asks of the horizon's end what a friction circle can still mend, and no more; the optimised cost does not see it.
+A stop needs its length whichever way the vehicle points: X' then begins as the speed over ground, so that a plan does
+not swing to and fro to stop shorter. It asks of the horizon's end what a friction circle can still mend, and no more; the optimised cost does not see it.
 """
 
 from dataclasses import dataclass
@@ -22,6 +23,7 @@ Array = NDArray[np.float64]
 
 CURVATURE = 0.15  # [1/m] of the tightest turn of a car, which is what limits a when it is slow
 TURNING_SPEED = 2.0  # [m/s] below, the heading no longer follows the velocity
+SLOWEST = 1e-3  # [m/s] keeps the speed over ground from having no derivative at rest
 INSTANT = 1e-9  # [m/s^2] a braking below this is none
 
 
@@ -80,7 +82,8 @@ def _path(n_steps: int) -> ca.Function:
     duration, target, p = ca.SX.sym("h"), ca.SX.sym("target"), ca.SX.sym("p", 3)
     step = ca.Function("step", [motion, duration, target, p], _step(motion, duration, target, p))
     cos, sin = ca.cos(end[PSI]), ca.sin(end[PSI])
-    forwards = ca.fmax(cos * end[VX] - sin * end[VY], 0)
+    along = ca.fmax(cos * end[VX] - sin * end[VY], 0)
+    forwards = ca.if_else(p[0] > 0, along, ca.sqrt(end[VX] ** 2 + end[VY] ** 2 + SLOWEST**2))
     start = ca.vertcat(end[X], end[Y], forwards, sin * end[VX] + cos * end[VY])
     durations, targets = ca.SX.sym("durations", n_steps), ca.SX.sym("targets", n_steps)
     poses, speeds = [], []

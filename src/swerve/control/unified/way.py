@@ -43,6 +43,11 @@ class Way:
         return next((each.side for each in self.decided if each.side is not None), None)
 
     @property
+    def is_straight(self) -> bool:
+        """Whether it brakes and passes nothing that is in the path."""
+        return self.brakes and self.side is None
+
+    @property
     def brakes(self) -> bool:
         """Whether it stays behind an obstacle in the path."""
         return Passing.BEHIND in self.decided

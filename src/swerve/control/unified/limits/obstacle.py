@@ -3,8 +3,7 @@
     n . (p_j - c_j) - h(n) - h_ego(-n; psi_j) >= margin        for every half sample j, and beyond the horizon
 
 with p the centre of gravity, c the obstacle's expected centre, h and h_ego the support functions of both shapes. The
-half-plane lies inside the region that is allowed: a plan that keeps the rows keeps clear. Whoever stays behind keeps a
-gap besides, for comfort; where it is missed the plan is clear all the same.
+half-plane lies inside the region that is allowed: a plan that keeps the rows keeps clear.
 """
 
 import numpy as np
@@ -34,15 +33,11 @@ class ObstacleLimit:
         separation: Separation,
         passing: Passing,
         margin: float,
-        comfort: float,
         penalty: Penalty,
     ) -> None:
-        """Obstacle `index`; times (n_poses,) [s] are those of the trajectory's poses, on the controller's clock.
-
-        `margin` is what has to be kept to be clear, `comfort` what is kept besides [m].
-        """
+        """Obstacle `index`; times (n_poses,) [s] are those of the trajectory's poses, on the controller's clock."""
         self._name = f"obstacle {index}"
-        self._penalty, self._passing, self._margin, self._comfort = penalty, passing, margin, comfort
+        self._penalty, self._passing, self._margin = penalty, passing, margin
         self._forecast, self._separation, self._times = forecast, separation, times
         self._centres = forecast.position_at(times)
         self._last: tuple[Trajectory, Planes] | None = None
@@ -58,12 +53,12 @@ class ObstacleLimit:
         return self._penalty
 
     def violation(self, trajectory: Trajectory) -> float:
-        """Largest distance by which margin and comfort, less what curvature may take, are missed [m]."""
-        return max(0.0, self._margin + self._comfort - SAG - float(self._planes(trajectory).gap.min()))
+        """Largest distance by which the margin, less what curvature may take, is missed [m]."""
+        return max(0.0, self.missing(trajectory))
 
-    def missed(self, violation: float) -> float:
-        """How much of a violation concerns the margin itself [m]."""
-        return max(0.0, violation - self._comfort)
+    def missing(self, trajectory: Trajectory) -> float:
+        """By how much the margin, less what curvature may take, is missed; negative where there is more [m]."""
+        return self._margin - SAG - float(self._planes(trajectory).gap.min())
 
     def is_near(self, trajectory: Trajectory) -> bool:
         """Whether any pose is within reach, so that `rows` are not empty."""
@@ -75,7 +70,7 @@ class ObstacleLimit:
         near = np.flatnonzero(planes.gap < REACH)
         direction = np.column_stack([planes.normal[near], planes.turning[near]])
         matrix = (direction[:, np.newaxis] @ sensitivities.poses[planes.pose[near] - 1])[:, 0]
-        return Rows(matrix, self._margin + self._comfort - planes.gap[near], np.full(len(near), np.inf))
+        return Rows(matrix, self._margin - planes.gap[near], np.full(len(near), np.inf))
 
     def impact(self, trajectory: Trajectory) -> tuple[int, Array] | None:
         """The first pose at which the plan is in contact, and the obstacle's velocity (2,) then; None without one."""

@@ -46,10 +46,6 @@ class RoadEdge:
         """Largest distance by which the margin is missed [m]."""
         return max(0.0, self.margin - float(self._gaps(trajectory)[0].min()))
 
-    def missed(self, violation: float) -> float:
-        """How far beyond the edge itself a violation goes [m]."""
-        return max(0.0, violation - self.margin)
-
     def rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
         """A row for each pose in reach, but the first, which is measured."""
         gap, turning = self._gaps(trajectory)
