@@ -54,10 +54,11 @@ def separating_planes(obstacle: Obstacle, footprint: Footprint, poses: Array, si
         side: on which the obstacle is passed.
     """
     if isinstance(obstacle.shape, Ellipse) and isinstance(footprint, Point):
-        scaled = _turned(poses[:, :2], -obstacle.heading) / obstacle.shape.semi_axes
+        heading = float(obstacle.heading_at(0.0))
+        scaled = _turned(poses[:, :2], -heading) / obstacle.shape.semi_axes
         steps = scaled[1:] - scaled[:-1]
         if (steps * steps).sum(axis=1).max() <= LONGEST_STEP**2:
-            return _tangents(obstacle.heading, np.asarray(obstacle.shape.semi_axes), scaled, side)
+            return _tangents(heading, np.asarray(obstacle.shape.semi_axes), scaled, side)
     return _shared(obstacle, footprint, poses, side)
 
 
@@ -99,7 +100,8 @@ def _tangents(heading: float, semi_axes: Array, scaled: Array, side: Side) -> Pl
 def _shared(obstacle: Obstacle, footprint: Footprint, poses: Array, side: Side) -> Planes:
     """One line for each pair of neighbours, as two half-planes: for its later pose, and for its earlier one."""
     normals = _candidates(obstacle, footprint, (poses[:-1] + poses[1:]) / 2, side)
-    reaches = [obstacle.shape.support(_turned(n, -obstacle.heading)) for n in normals]
+    heading = float(obstacle.heading_at(0.0))
+    reaches = [obstacle.shape.support(_turned(n, -heading)) for n in normals]
     gaps = [_smaller_gap(footprint, n, reach, poses) for n, reach in zip(normals, reaches, strict=True)]
     best, pair = np.argmax(gaps, axis=0), np.arange(len(poses) - 1)
     normal, reach = np.stack(normals)[best, pair], np.stack(reaches)[best, pair]
@@ -117,15 +119,15 @@ def _smaller_gap(footprint: Footprint, normals: Array, reach: Array, poses: Arra
 
 def _candidates(obstacle: Obstacle, footprint: Footprint, poses: Array, side: Side) -> list[Array]:
     """Normals (n, 2) worth trying at each pose: away from the obstacle's centre, to the side, those of all faces."""
-    extent = obstacle.shape.support(AXES[:2])
+    heading, extent = float(obstacle.heading_at(0.0)), obstacle.shape.support(AXES[:2])
     if isinstance(footprint, Rectangle):
         extent = extent + footprint.width / 2
-    away = _turned(poses[:, :2], -obstacle.heading) / extent**2
+    away = _turned(poses[:, :2], -heading) / extent**2
     away[~away.any(axis=1)] = AXES[2]
-    candidates = [_turned(away / np.hypot(away[:, 0], away[:, 1])[:, np.newaxis], obstacle.heading)]
+    candidates = [_turned(away / np.hypot(away[:, 0], away[:, 1])[:, np.newaxis], heading)]
     candidates.append(np.broadcast_to(side.value * AXES[1], (len(poses), 2)))
     if isinstance(obstacle.shape, Rectangle):
-        candidates += [np.broadcast_to(_turned(axis, obstacle.heading), (len(poses), 2)) for axis in AXES]
+        candidates += [np.broadcast_to(_turned(axis, heading), (len(poses), 2)) for axis in AXES]
     if isinstance(footprint, Rectangle):
         candidates += [_turned(axis, poses[:, 2]) for axis in AXES]
     return [_to_side(each, side) for each in candidates]
