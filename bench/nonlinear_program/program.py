@@ -124,7 +124,7 @@ class NonlinearProgram:
     def parameters(self, question: Question) -> Array:
         """The vector p of all parameters."""
         seen = [
-            (*each.position, *each.velocity, *_ellipse(each.shape).semi_axes, each.heading)
+            (*each.position_at(0.0), *each.velocity_at(0.0), *_ellipse(each.shape).semi_axes, each.heading_at(0.0))
             for each in question.obstacles
         ]
         data = np.concatenate([question.wheel_loads, self._data, *seen])

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swerve.conventions import DELTA, FORCES, N_INPUTS
-from swerve.world import Obstacle, Shape
+from swerve.world import Obstacle, Shape, Steady
 
 Array = NDArray[np.float64]
 
@@ -64,7 +64,7 @@ class Observation:
 
     def as_obstacle(self) -> Obstacle:
         """The obstacle that keeps on as seen; ValueError when a number is not finite."""
-        return Obstacle(self.shape, self.position, self.velocity, self.heading)
+        return Obstacle(self.shape, Steady(self.position, self.velocity, self.heading))
 
 
 @dataclass(frozen=True)

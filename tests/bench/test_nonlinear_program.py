@@ -23,13 +23,13 @@ from swerve.simulate import Outcome
 from swerve.vehicle import vehicle_named
 from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters
-from swerve.world import Ellipse, Obstacle, Point, Rectangle, distance_ratio
+from swerve.world import Ellipse, Obstacle, Point, Rectangle, Steady, distance_ratio
 
 Array = NDArray[np.float64]
 
 SEDAN, FRICTION = vehicle_named("d-class-sedan"), 0.85
 LOADS = np.array(wheel_loads(Parameters.of(SEDAN, FRICTION)))
-OBSTACLE = Obstacle(Ellipse((2.0, 2.0)), (17.0, 0.0))
+OBSTACLE = Obstacle(Ellipse((2.0, 2.0)), Steady((17.0, 0.0)))
 QUESTION = Question(np.array([20.0, 0, 0, 0, 0, 0]), np.zeros(5), LOADS, (OBSTACLE,))
 HORIZON = Horizon(20, 15, 0.05)
 SETTINGS = UnifiedSettings(**load("paper").controller.unified.model_dump())
@@ -171,6 +171,6 @@ def assert_near(found: ca.DM, expected: ca.DM) -> None:
 def test_it_takes_ellipses_alone(solved: Solved) -> None:
     """An obstacle of another shape is refused by name."""
     asked, _ = solved("fatrop", Side.LEFT)
-    box = Obstacle(Rectangle(4.0, 2.0), (17.0, 0.0))
+    box = Obstacle(Rectangle(4.0, 2.0), Steady((17.0, 0.0)))
     with pytest.raises(TypeError, match="Rectangle"):
         asked.guess(Question(QUESTION.state, QUESTION.command, LOADS, (box,)), np.zeros((20, 5)))

@@ -8,10 +8,11 @@ from pydantic import Field, model_validator
 
 from swerve.scenario.controller import ControllerSettings
 from swerve.scenario.ego import EgoSettings
+from swerve.scenario.obstacle import ObstacleSettings
 from swerve.scenario.quantities import Duration, Name, Offset, PlantStep, Speed, Text
 from swerve.scenario.sensing import SensingSettings
 from swerve.scenario.settings import KeyedError, Settings
-from swerve.scenario.surroundings import ObstacleSettings, RoadSettings
+from swerve.scenario.surroundings import RoadSettings
 from swerve.world import clearance
 
 RATIO_TOLERANCE = 1e-9  # of a ratio of two times that stands for a whole number [1]
@@ -85,8 +86,9 @@ class Scenario(Settings):
         for index, obstacle in enumerate(self.obstacles):
             if clearance(self.ego.to_footprint(), pose, obstacle.to_world(), [0.0])[0] <= 0:
                 x, y = self.ego.position
-                fault = f"the obstacle covers the ego vehicle at its start, ({x:g} m, {y:g} m)"
-                raise KeyedError(f"obstacles.{index}.position", f"{fault}; move one of them")
+                fault = f"{obstacle.noun} covers the ego vehicle at its start, ({x:g} m, {y:g} m)"
+                key = "waypoints" if obstacle.waypoints else "position"
+                raise KeyedError(f"obstacles.{index}.{key}", f"{fault}; move one of them")
         return self
 
     @property
@@ -104,5 +106,6 @@ class Scenario(Settings):
         """The scenario as a TOML document in SI, defaults written out; it loads to an equal scenario."""
         tables = self.model_dump(exclude_none=True)
         if self.road.lane_width is None:
-            del tables["road"]["lanes_left"], tables["road"]["lanes_right"]
+            for lanes in ("lanes_left", "lanes_right", "lanes_oncoming"):
+                del tables["road"][lanes]
         return tomli_w.dumps(tables)

@@ -86,5 +86,6 @@ class Sensor:
 
     def _observe(self, obstacle: Obstacle, stamp: float, generator: np.random.Generator) -> Observation:
         x, y = obstacle.position_at(stamp) + self.noise.obstacle_position * generator.standard_normal(2)
-        vx, vy = np.asarray(obstacle.velocity) + self.noise.obstacle_velocity * generator.standard_normal(2)
-        return Observation(obstacle.shape, (float(x), float(y)), (float(vx), float(vy)), obstacle.heading)
+        vx, vy = obstacle.velocity_at(stamp) + self.noise.obstacle_velocity * generator.standard_normal(2)
+        heading = float(obstacle.heading_at(stamp))
+        return Observation(obstacle.shape, (float(x), float(y)), (float(vx), float(vy)), heading)

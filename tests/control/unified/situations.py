@@ -20,7 +20,7 @@ from swerve.scenario import load
 from swerve.sensing import Noise, Past, Sensor, Truth
 from swerve.signals import Measurement
 from swerve.simulate.assemble import controller_named
-from swerve.world import Ellipse, Obstacle
+from swerve.world import Ellipse, Obstacle, Steady
 from tests.vehicle.motions import SEDAN, STATIC
 
 Array = NDArray[np.float64]
@@ -29,7 +29,7 @@ HORIZON = Horizon(20, 15, 0.05)
 BLOCKING = Blocking(HORIZON)
 SIDES = (Side.LEFT, Side.RIGHT)
 RUNNING = np.array([20.0, 0, 0, 0, 0, 0])
-AHEAD = Obstacle(Ellipse((2.0, 2.0)), (25.0, 0.0))
+AHEAD = Obstacle(Ellipse((2.0, 2.0)), Steady((25.0, 0.0)))
 seeds = st.integers(0, 2**32 - 1)
 
 

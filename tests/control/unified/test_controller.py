@@ -13,7 +13,7 @@ from swerve.qp.solution import Status
 from swerve.scenario import load
 from swerve.signals import Command
 from swerve.simulate import run
-from swerve.world import Ellipse, Obstacle
+from swerve.world import Ellipse, Obstacle, Steady
 from tests.control.unified.situations import (
     AHEAD,
     RUNNING,
@@ -105,10 +105,11 @@ def test_a_step_in_the_mirror_is_the_mirror_of_the_step(lateral: float) -> None:
     """With obstacle and state mirrored, the command is the mirror image."""
     state = random_start(np.random.default_rng(4))
     here = controller().step(
-        seen(0.0, state, Obstacle(Ellipse((2.0, 1.5)), (26.0, lateral), heading=0.3)), controller().start()
+        seen(0.0, state, Obstacle(Ellipse((2.0, 1.5)), Steady((26.0, lateral), heading=0.3))), controller().start()
     )
     there = controller().step(
-        seen(0.0, state * MIRROR, Obstacle(Ellipse((2.0, 1.5)), (26.0, -lateral), heading=-0.3)), controller().start()
+        seen(0.0, state * MIRROR, Obstacle(Ellipse((2.0, 1.5)), Steady((26.0, -lateral), heading=-0.3))),
+        controller().start(),
     )
     np.testing.assert_allclose(there[0].as_input(), mirrored(here[0].as_input()), rtol=1e-6, atol=1e-6)
     assert here[1].side is None or there[1].side is Side(-here[1].side.value)
@@ -178,7 +179,7 @@ def test_a_solver_that_fails_is_no_exception(
     """Where no program has an answer the last plan goes on; each program that failed is counted, and no other."""
     memory = planned()
     asked = failing(monkeypatch, status)
-    measurement = seen(0.05, memory.plan.states[1], replace(AHEAD, position=(ahead or 0.0, 0.0)))
+    measurement = seen(0.05, memory.plan.states[1], replace(AHEAD, motion=Steady((ahead or 0.0, 0.0))))
     if ahead is None:
         measurement = replace(measurement, obstacles=())
     command, plan, _ = controller().step(measurement, memory)
@@ -268,7 +269,7 @@ def test_wheels_that_carry_nothing_are_no_exception(loads: np.ndarray) -> None:
 @pytest.mark.parametrize("position", [(0.0, 0.0), (1.0, 0.0), (-1.9, 0.5), (2.0, 0.0)])
 def test_an_obstacle_that_is_already_touched_is_no_exception(position: tuple[float, float]) -> None:
     """Inside or on the edge of an obstacle there is a plan that gets out, and no failure of a solver."""
-    _, plan, _ = controller().step(seen(0.0, RUNNING, replace(AHEAD, position=position)), controller().start())
+    _, plan, _ = controller().step(seen(0.0, RUNNING, replace(AHEAD, motion=Steady(position))), controller().start())
     assert plan.fallback is None
     assert plan.solver_failures == 0
 
@@ -283,7 +284,7 @@ def test_standing_and_rolling_back_can_be_planned_from(state: np.ndarray) -> Non
 
 def test_many_obstacles_are_seen_at_once() -> None:
     """Each obstacle has its limit; with a dozen of them there is a plan that keeps clear of the one that matters."""
-    others = [Obstacle(Ellipse((1.0, 1.0)), (60.0 + 10 * k, 8.0)) for k in range(11)]
+    others = [Obstacle(Ellipse((1.0, 1.0)), Steady((60.0 + 10 * k, 8.0))) for k in range(11)]
     memory = controller().start()
     assert isinstance(memory, Memory)
     _, plan, _ = controller().step(seen(0.0, RUNNING, AHEAD, *others), memory)

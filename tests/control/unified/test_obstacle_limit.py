@@ -11,7 +11,7 @@ from swerve.control.unified.limits import ObstacleLimit, Penalty, Rows
 from swerve.control.unified.limits.obstacle import REACH, SAG
 from swerve.control.unified.prediction import Trajectory
 from swerve.control.unified.tail import Tail
-from swerve.world import Ellipse, Footprint, Obstacle, Point, Rectangle, Shape, clearance, distance_ratio
+from swerve.world import Ellipse, Footprint, Obstacle, Point, Rectangle, Shape, Steady, clearance, distance_ratio
 from tests.control.unified.situations import HORIZON, SIDES, random_roll_out, seeds
 
 N = 4  # samples of the paths below
@@ -34,7 +34,7 @@ def obstacles(draw: st.DrawFn) -> Obstacle:
     """Any shape with any heading round the origin, at rest or moving."""
     velocity = draw(st.tuples(st.floats(-15.0, 15.0), st.floats(-5.0, 5.0)))
     position = draw(st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)))
-    return Obstacle(draw(shapes), position, velocity, draw(angles))
+    return Obstacle(draw(shapes), Steady(position, velocity, draw(angles)))
 
 
 @st.composite
@@ -97,11 +97,11 @@ def test_a_gap_is_no_more_than_the_clearance(
     assert np.isinf(rows.upper).all()
 
 
-POLE = Obstacle(Ellipse((0.1, 0.1)), (0.0, 0.0))
-PEDESTRIAN = Obstacle(Ellipse((0.3, 0.3)), (0.0, 0.0))
+POLE = Obstacle(Ellipse((0.1, 0.1)), Steady((0.0, 0.0)))
+PEDESTRIAN = Obstacle(Ellipse((0.3, 0.3)), Steady((0.0, 0.0)))
 
 
-BOX = Obstacle(Rectangle(1.274, 0.791), (0.0, 0.0), heading=-0.298)
+BOX = Obstacle(Rectangle(1.274, 0.791), Steady((0.0, 0.0), heading=-0.298))
 ROUND_THE_CORNER = np.column_stack(
     [
         [-3.814, -3.105, -2.396, -1.687, -0.978, -0.269, 0.44, 1.149, 1.858],
@@ -157,7 +157,7 @@ def test_nothing_cuts_between_two_poses(
 )
 def test_abreast_of_a_face_nothing_is_given_away(shape: Shape, footprint: Footprint, turned: float, side: Side) -> None:
     """Driving along a face of the obstacle, or with a face of its own to the obstacle, the gap is the clearance."""
-    obstacle = Obstacle(shape, (0.0, 0.0), heading=turned)
+    obstacle = Obstacle(shape, Steady((0.0, 0.0), heading=turned))
     along_x, across = np.array([np.cos(turned), np.sin(turned)]), np.array([-np.sin(turned), np.cos(turned)])
     travelled = 10.0 * (TIMES - TIMES[4])
     path = np.outer(travelled, along_x) + side.value * 2.5 * across
@@ -225,8 +225,8 @@ def test_left_and_right_are_mirror_images(
     obstacle: Obstacle, footprint: Footprint, side: Side, poses: np.ndarray
 ) -> None:
     """Passing on the left misses as much as passing on the right does in the mirror."""
-    (x, y), (vx, vy) = obstacle.position, obstacle.velocity
-    mirrored = Obstacle(obstacle.shape, (x, -y), (vx, -vy), -obstacle.heading)
+    (x, y), (vx, vy) = obstacle.position_at(0.0), obstacle.velocity_at(0.0)
+    mirrored = Obstacle(obstacle.shape, Steady((x, -y), (vx, -vy), -float(obstacle.heading_at(0.0))))
     here = limit(obstacle, footprint, side).violation(along(poses))
     there = limit(mirrored, footprint, Side(-side.value)).violation(along(poses * [1, -1, -1]))
     assert there == pytest.approx(here, abs=1e-9)
@@ -237,7 +237,7 @@ def test_clear_of_a_disc_it_gives_away_little(radius: float, gap: float, speed: 
     """Abreast of a disc the gap is the clearance, less what the chord between two poses takes."""
     poses = np.column_stack([speed * (TIMES - TIMES[4]), np.full(N_POSES, radius + gap), np.zeros(N_POSES)])
     assume(gap < REACH)
-    rows = limit(Obstacle(Ellipse((radius, radius)), (0.0, 0.0)), Point(), Side.LEFT).rows(
+    rows = limit(Obstacle(Ellipse((radius, radius)), Steady((0.0, 0.0))), Point(), Side.LEFT).rows(
         along(poses), each_pose_alone()
     )
     pose, _ = directions(rows)
@@ -248,7 +248,7 @@ def test_clear_of_a_disc_it_gives_away_little(radius: float, gap: float, speed: 
 
 def test_straight_behind_it_says_stay_behind() -> None:
     """A vehicle straight behind a box that is wider than itself is held back, whatever the side."""
-    box = Obstacle(Rectangle(2.0, 6.0), (0.0, 0.0))
+    box = Obstacle(Rectangle(2.0, 6.0), Steady((0.0, 0.0)))
     poses = np.column_stack([np.linspace(-6.0, -4.0, N_POSES), np.zeros((N_POSES, 2))])
     for side in SIDES:
         rows = limit(box, CAR, side).rows(along(poses), each_pose_alone())
@@ -258,7 +258,7 @@ def test_straight_behind_it_says_stay_behind() -> None:
 
 def test_the_obstacle_is_where_it_will_be() -> None:
     """Each pose keeps clear of the obstacle's position at its own time."""
-    leading = Obstacle(Ellipse((1.0, 1.0)), (3.0, 0.0), velocity=(20.0, 0.0))
+    leading = Obstacle(Ellipse((1.0, 1.0)), Steady((3.0, 0.0), velocity=(20.0, 0.0)))
     poses = np.column_stack([20 * TIMES, np.zeros((N_POSES, 2))])
     rows = limit(leading, Point(), Side.LEFT).rows(along(poses), each_pose_alone())
     np.testing.assert_allclose(MARGIN - rows.lower, 2.0, atol=1e-6)
@@ -270,7 +270,7 @@ def test_the_tail_has_rows_too(seed: int, side: Side) -> None:
     trajectory, sensitivities, _random = random_roll_out(seed)
     tail = Tail.of(0.85, 20, 0.05)
     end = trajectory.states[-1]
-    obstacle = Obstacle(Ellipse((2.0, 2.0)), tuple(end[4:] + 8.0 * np.array([np.cos(end[3]), np.sin(end[3])])))
+    obstacle = Obstacle(Ellipse((2.0, 2.0)), Steady(tuple(end[4:] + 8.0 * np.array([np.cos(end[3]), np.sin(end[3])]))))
     times = np.arange(41) * HORIZON.sample_time / 2
     found = ObstacleLimit(obstacle, Point(), side, times, tail, MARGIN, PRICE)
     rows = found.rows(trajectory, sensitivities)
@@ -280,7 +280,7 @@ def test_the_tail_has_rows_too(seed: int, side: Side) -> None:
     for k in range(1, len(poses)):
         normals, *_ = np.linalg.lstsq(slopes[k - 1, :2].T, rows.matrix.T, rcond=None)
         residual = np.abs(slopes[k - 1, :2].T @ normals - rows.matrix.T).max(axis=0)
-        gap = np.einsum("ij,ij->j", normals, (poses[k, :2] - obstacle.position)[:, np.newaxis] + 0 * normals)
+        gap = np.einsum("ij,ij->j", normals, (poses[k, :2] - obstacle.position_at(0.0))[:, np.newaxis] + 0 * normals)
         matched |= (residual < 1e-9) & (gap - 2.0 >= MARGIN - rows.lower - 1e-6)
     assert matched.all()
     assert found.is_near(trajectory)
@@ -288,4 +288,4 @@ def test_the_tail_has_rows_too(seed: int, side: Side) -> None:
 
 def test_the_price_is_that_of_the_settings() -> None:
     """A limit's violation costs what its penalty says."""
-    assert limit(Obstacle(Ellipse((1.0, 1.0)), (0.0, 0.0)), Point(), Side.LEFT).penalty is PRICE
+    assert limit(Obstacle(Ellipse((1.0, 1.0)), Steady((0.0, 0.0))), Point(), Side.LEFT).penalty is PRICE

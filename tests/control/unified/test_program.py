@@ -15,7 +15,7 @@ from swerve.control.unified.tail import Tail
 from swerve.control.unified.terms import InputRate, Tracking, WheelForce
 from swerve.conventions import VX, VY, Y
 from swerve.qp import Problem, solve
-from swerve.world import Ellipse, Obstacle, Point
+from swerve.world import Ellipse, Obstacle, Point, Steady
 from tests.control.unified.situations import BLOCKING, RUNNING, SIDES, model, random_inputs, random_roll_out, seeds
 from tests.vehicle.motions import SEDAN, STATIC
 
@@ -42,7 +42,7 @@ def program(*obstacles: Obstacle, side: Side = Side.LEFT, rate: bool = True) -> 
 def ahead(trajectory: Trajectory, metres: float = 6.0) -> Obstacle:
     """A disc in front of where the trajectory ends."""
     x, y, psi = trajectory.states[-1, [4, 5, 3]]
-    return Obstacle(Ellipse((2.0, 2.0)), (x + metres * np.cos(psi), y + metres * np.sin(psi)))
+    return Obstacle(Ellipse((2.0, 2.0)), Steady((x + metres * np.cos(psi), y + metres * np.sin(psi))))
 
 
 def smallest_slacks(problem: Problem, z: np.ndarray, n_soft: int) -> np.ndarray:
@@ -104,7 +104,7 @@ def test_without_hard_rows_there_is_always_an_answer(seed: int) -> None:
     """However badly a trajectory fares, slacks make the program feasible, and the solver proves its optimum."""
     random = np.random.default_rng(seed)
     trajectory = model().roll_out(RUNNING, random_inputs(random, 6.0), STATIC)
-    found = program(Obstacle(Ellipse((2.0, 2.0)), (8.0, 0.0)), rate=False)
+    found = program(Obstacle(Ellipse((2.0, 2.0)), Steady((8.0, 0.0))), rate=False)
     solution = solve(found.convex(trajectory, condense(model().linearise(trajectory, STATIC), BLOCKING), TRUST))
     assert solution.is_solved
     assert solution.is_optimal(1e-5)
@@ -128,7 +128,7 @@ def test_a_score_is_cost_and_prices(seed: int) -> None:
 def test_what_diverged_costs_everything() -> None:
     """A trajectory that is not finite has an infinite merit, so that nothing prefers it."""
     diverged = model().roll_out(np.full(6, np.nan), np.zeros((20, 5)), STATIC)
-    assert program(Obstacle(Ellipse((2.0, 2.0)), (25.0, 0.0))).score(diverged).merit == np.inf
+    assert program(Obstacle(Ellipse((2.0, 2.0)), Steady((25.0, 0.0)))).score(diverged).merit == np.inf
 
 
 def test_without_obstacles_nothing_is_missed() -> None:
@@ -145,7 +145,7 @@ def test_without_obstacles_nothing_is_missed() -> None:
 def test_improving_lowers_the_merit(side: Side) -> None:
     """Each further iteration leaves the merit as it was or lower, and the plan gets round on its side."""
     situation = Situation(
-        side, program(Obstacle(Ellipse((2.0, 2.0)), (25.0, 0.0)), side=side), model(), RUNNING, STATIC, TRUST
+        side, program(Obstacle(Ellipse((2.0, 2.0)), Steady((25.0, 0.0))), side=side), model(), RUNNING, STATIC, TRUST
     )
     step = situation.roll_out(np.zeros((20, 5)))
     merits = [step.merit]
@@ -163,7 +163,7 @@ def test_improving_lowers_the_merit(side: Side) -> None:
 @given(st.floats(0.01, 0.6), st.floats(-0.3, 0.3))
 def test_no_iterations_no_change(steering: float, lateral: float) -> None:
     """With no iteration to do the plan is the one it began with, and no program was solved."""
-    obstacle = Obstacle(Ellipse((2.0, 2.0)), (25.0, lateral))
+    obstacle = Obstacle(Ellipse((2.0, 2.0)), Steady((25.0, lateral)))
     situation = Situation(Side.LEFT, program(obstacle), model(), RUNNING, STATIC, TRUST)
     step = situation.roll_out(np.tile([steering, 0, 0, 0, 0], (20, 1)))
     plan = improve(situation, step, 0.5, 0)
