@@ -86,6 +86,7 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--out", type=Path, metavar="DIR", help="write result, log, scenario and figures there")
     run.add_argument("--export", metavar="FORMAT[,FORMAT]", help="write csv, mcap, mf4, gif, webp or mp4 there, too")
     run.add_argument("--json", action="store_true", help="print the result as one JSON object")
+    run.add_argument("--explain", action="store_true", help="say when the decision changed, and why")
     run.add_argument("--quiet", action="store_true", help="print errors alone, and with --json the result")
     run.add_argument("--require", metavar="OUTCOME", help="exit with status 1 at any other outcome")
 
@@ -144,8 +145,13 @@ def _run(options: argparse.Namespace) -> int:
         print(result_json(done.result))
     elif not options.quiet:
         print(run_summary(done, Console.of(sys.stdout)))
+    notes = sys.stderr if options.json else sys.stdout
+    if options.explain:
+        from swerve.report.explain import explanation
+
+        print(explanation(done), file=notes)
     if not options.quiet:
-        _print_paths(paths, sys.stderr if options.json else sys.stdout)
+        _print_paths(paths, notes)
     outcome = done.result.outcome.value
     if required in (None, outcome):
         return 0

@@ -140,7 +140,7 @@ def test_a_controller_of_all_inputs_refuses_a_mode(overrides: tuple[str, ...]) -
         (("actuation.steering_stuck='40 deg'",), "actuation.steering_stuck: 0.698132 rad is beyond the vehicle's"),
         (
             ("actuation.mode='steer-only'", "actuation.steering_stuck=0"),
-            "actuation.mode: steer-only with these failures",
+            "actuation.mode: steer-only with these",
         ),
     ],
 )

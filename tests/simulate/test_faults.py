@@ -27,13 +27,13 @@ class Faults:
     def __init__(self, kind: str, steps: range, overrides: tuple[str, ...] = ()) -> None:
         self.kind, self.steps = kind, steps
         self.scenario = load("paper", ("duration=1.4 s", *overrides))
-        self._measure = sensor_of(self.scenario).measure
+        self.measure: Callable[..., Measurement] = sensor_of(self.scenario).measure
         self._is_faulty, self._time = False, 0.0
 
     def sense(self, time: float, *rest: Any) -> Measurement:
         """As ever, but for a state of nan."""
         self._is_faulty = round(time / 0.05) in self.steps
-        good = self._measure(time, *rest)
+        good = self.measure(time, *rest)
         return replace(good, state=good.state * np.nan) if self._is("measurement") else good
 
     def solve(self, problem: Problem, *rest: Any, **named: Any) -> Solution:
@@ -117,14 +117,14 @@ def test_braking_comes_where_the_plan_runs_into_something(drive: Callable[[Fault
     appears = ("obstacles=[{position=[30,-40],velocity=[0,0],size=[3,30]}]",)
 
     def shows_up(faults: Faults) -> None:
-        measure = faults._measure
+        measure = faults.measure
 
         def moved(time: float, *rest: Any) -> Measurement:
             good = measure(time, *rest)
             ahead = tuple(replace(each, position=(30.0, 0.0)) for each in good.obstacles)
             return replace(good, obstacles=ahead) if round(time / 0.05) >= 4 else good
 
-        faults._measure = moved
+        faults.measure = moved
 
     for kind, brakes in (("solver", True), ("deadline", True), ("measurement", False)):
         faults = Faults(kind, range(4, 6), (*appears, "duration=0.3 s"))

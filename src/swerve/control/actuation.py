@@ -102,7 +102,7 @@ class Actuation:
     @property
     def n_free(self) -> int:
         """m."""
-        return self.basis.shape[1]
+        return int(self.basis.shape[1])
 
     @property
     def steers(self) -> bool:

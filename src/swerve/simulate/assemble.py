@@ -17,7 +17,7 @@ from swerve.world import Friction
 
 ONE_FRICTION: Final = "the planar plant has one friction for all wheels; take the multibody plant"
 
-ALL_INPUTS: Final = "actuation: the controller as-printed commands all inputs; take unified, or mode all with known = false"
+ALL_INPUTS: Final = "actuation: the controller as-printed commands all inputs; take unified, or leave out what is told"
 
 AXLES_IN_TURN = (
     1.5  # [1] relaxation lengths until a turn is there: the front axle's, and half of the rear one's upon it
