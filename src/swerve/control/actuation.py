@@ -9,6 +9,7 @@ h = 0, static loads, always ideal. The wheel that has the least to give then lim
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -117,22 +118,32 @@ class Actuation:
         left, right = (self.basis[wheels].any(axis=0) for wheels in ([1, 3], [2, 4]))
         return VECTORING if (left & ~right).any() and (right & ~left).any() else 0.0
 
+    @cached_property
+    def _moved(self) -> tuple[NDArray[np.intp], Array, NDArray[np.intp]]:
+        """The inputs that move, column by column; by how much each; and where in this list a column begins."""
+        column, moved = np.nonzero(self.basis.T)
+        return moved, self.basis[moved, column], np.flatnonzero(np.diff(column, prepend=-1))
+
+    @cached_property
+    def _projection(self) -> Array:
+        """(5, m) to the nearest v."""
+        return np.asarray(self.basis / (self.basis**2).sum(axis=0))
+
     def free_bounds(self, lower: Array, upper: Array) -> tuple[Array, Array]:
         """Bounds (..., m) on v, or on its changes, by which inputs, or their changes, stay within bounds (..., 5).
 
         Where that is not possible for all inputs that move together, those that can move least decide.
         """
-        has = self.basis > 0
-        inverse = np.divide(1.0, self.basis, out=np.zeros_like(self.basis), where=has)
-        largest = np.where(has, upper[..., np.newaxis] * inverse, np.inf).min(axis=-2)
-        smallest = np.where(has, lower[..., np.newaxis] * inverse, -np.inf).max(axis=-2)
+        moved, by, first = self._moved
+        largest = np.minimum.reduceat(upper[..., moved] / by, first, axis=-1)
+        smallest = np.maximum.reduceat(lower[..., moved] / by, first, axis=-1)
         return np.minimum(smallest, largest), largest
 
     def within(self, u: Array, largest: Array) -> Array:
         """The inputs (..., 5) that there are, the nearest to u (..., 5) within magnitudes (5,)."""
         lower, upper = self.lower * largest, self.upper * largest
         bounded = np.minimum(np.maximum(u, lower), upper)
-        v = bounded @ (self.basis / (self.basis**2).sum(axis=0))
+        v = bounded @ self._projection
         smallest, most = self.free_bounds(lower, upper)
         return np.asarray(np.minimum(np.maximum(v, smallest), most) @ self.basis.T + self.fixed)
 

@@ -30,7 +30,7 @@ class Lines:
 
     def __init__(self, footprint: Footprint, n_pairs: int) -> None:
         """Compile, or take from the cache, the search over all normals."""
-        self._lines = Kernel(_pair().map(f"lines_{n_pairs}", "serial", n_pairs, [2], []))
+        self._lines = Kernel(pair().map(f"lines_{n_pairs}", "serial", n_pairs, [2], []))
         centre = (0.0, 0.0) if isinstance(footprint, Point) else footprint.centre
         half = (0.0, 0.0) if isinstance(footprint, Point) else (footprint.length / 2, footprint.width / 2)
         self._footprint = np.array([*half, *centre])
@@ -61,7 +61,7 @@ def _extent(shape: Shape) -> tuple[float, float]:
 
 
 @cache
-def _pair() -> ca.Function:
+def pair() -> ca.Function:
     """(pose, next pose, [heading, half length and width, is ellipse, footprint's, its centre, passing]) -> line."""
     first, second, p = ca.SX.sym("first", 3), ca.SX.sym("second", 3), ca.SX.sym("p", 9)
     middle = (first + second) / 2
@@ -78,12 +78,12 @@ def _pair() -> ca.Function:
 def _candidates(middle: ca.SX, p: ca.SX) -> list[ca.SX]:
     """Normals worth trying: away from the obstacle's centre, along the axes of world, obstacle and footprint."""
     heading, extent = p[0], ca.vertcat(p[1], p[2]) + p[5] + SMALLEST
-    away = _turned(middle[:2], -heading) / extent**2
+    away = turned(middle[:2], -heading) / extent**2
     length = ca.sqrt(ca.sumsqr(away))
-    away = ca.if_else(length > SMALLEST, _turned(away / ca.fmax(length, SMALLEST), heading), _vector(-1, 0))
+    away = ca.if_else(length > SMALLEST, turned(away / ca.fmax(length, SMALLEST), heading), _vector(-1, 0))
     axes = [_vector(*axis) for axis in ((1, 0), (0, 1), (-1, 0), (0, -1))]
-    turned = [_turned(axis, angle) for angle in (heading, middle[2]) for axis in axes]
-    return [away, axes[1], axes[3], *turned]
+    faces = [turned(axis, angle) for angle in (heading, middle[2]) for axis in axes]
+    return [away, axes[1], axes[3], *faces]
 
 
 def _vector(x: int, y: int) -> ca.SX:
@@ -106,15 +106,16 @@ def _smaller_gap(normal: ca.SX, first: ca.SX, second: ca.SX, p: ca.SX) -> ca.SX:
 
 def _gap(normal: ca.SX, pose: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX]:
     """Gap of one pose behind a line, and its derivative by psi."""
-    across = _turned(normal, -p[0])
+    across = turned(normal, -p[0])
     of_ellipse = ca.sqrt((p[1] * across[0]) ** 2 + (p[2] * across[1]) ** 2)
     reach = ca.if_else(p[3], of_ellipse, p[1] * ca.fabs(across[0]) + p[2] * ca.fabs(across[1]))
-    towards = _turned(-normal, -pose[2])  # in body axes; it turns by -1 rad for each rad of psi
+    towards = turned(-normal, -pose[2])  # in body axes; it turns by -1 rad for each rad of psi
     corner = ca.vertcat(p[6] + ca.sign(towards[0]) * p[4], p[7] + ca.sign(towards[1]) * p[5])
     turning = corner[0] * towards[1] - corner[1] * towards[0]
     return ca.dot(normal, pose[:2]) - reach - ca.dot(corner, towards), -turning
 
 
-def _turned(vector: ca.SX, angle: ca.SX) -> ca.SX:
+def turned(vector: ca.SX, angle: ca.SX) -> ca.SX:
+    """A vector (2,) turned anticlockwise by an angle [rad]."""
     cos, sin = ca.cos(angle), ca.sin(angle)
     return ca.vertcat(cos * vector[0] - sin * vector[1], sin * vector[0] + cos * vector[1])

@@ -79,7 +79,7 @@ def _targets(scene: Scene, way: Way, times: Array) -> tuple[Array, bool]:
 
 
 def _room(meeting: _Meeting, meetings: list[_Meeting], scene: Scene) -> tuple[float, float]:
-    """Smallest and largest Y that are clear of an obstacle, of those that are met at the same time, and of the edges."""
+    """Smallest and largest Y that are clear of an obstacle, of those met at the same time, and of the edges."""
     beside = [each for each in meetings if each.begins <= meeting.ends and meeting.begins <= each.ends]
     lowest, highest = scene.place.room()
     lowest = max(lowest, *(each.lowest for each in beside))

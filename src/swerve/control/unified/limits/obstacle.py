@@ -66,17 +66,17 @@ class ObstacleLimit:
         planes = self._planes(trajectory)
         near = nearest(planes.gap, REACH)
         direction = np.column_stack([planes.normal[near], planes.turning[near]])
-        matrix = (direction[:, np.newaxis] @ sensitivities.poses[planes.pose[near] - 1])[:, 0]
+        matrix = (direction[:, np.newaxis] @ sensitivities.poses[near])[:, 0]
         lower = self._margin + self._penalty.comfort - planes.gap[near]
         return Rows(matrix, lower, np.full(len(near), np.inf))
 
     def impact(self, trajectory: Trajectory) -> tuple[int, Array] | None:
         """The first pose at which the plan is in contact, and the obstacle's velocity (2,) then; None without one."""
         planes = self._planes(trajectory)
-        touching = planes.pose[planes.gap < 0]
+        touching = np.flatnonzero(planes.gap < 0)
         if len(touching) == 0:
             return None
-        first = int(touching.min())
+        first = int(touching[0]) + 1
         return first, self._forecast.velocity_at(self._times[first : first + 1])[0]
 
     def _planes(self, trajectory: Trajectory) -> Planes:
