@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from swerve.control.plan import Passing, Side
-from swerve.control.unified.scene import BESIDE, LEAVING, Place
 from swerve.control.unified.memory import Memory
+from swerve.control.unified.scene import BESIDE, LEAVING, Place
 from swerve.world import Ellipse, Footprint, Obstacle, Point, Rectangle, Road, Steady
 from tests.control.unified.situations import (
     AHEAD,
@@ -48,7 +48,7 @@ def threats(*obstacles: Obstacle, state: Array = RUNNING, of: tuple[str, ...] = 
         car(40.0, 0.0, 5.0),
         car(60.0, 0.0, -10.0, np.pi),
         car(30.0, 6.0, 0.0, -np.pi / 2, -3.5),
-        car(20.0, -4.0, 15.0, 0.4, 2.5),
+        car(14.0, -4.0, 15.0, 0.4, 2.5),
         Obstacle(Ellipse((0.3, 0.3)), Steady((30.0, -3.0), (0.0, 1.9))),
         car(5.0, 0.0),
     ],

@@ -6,6 +6,7 @@ avoided is to be a mild one, and one that nearly can be is better tried.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf, isfinite
 
 from swerve.control.unified.improve import WayPlan
 from swerve.control.unified.situation import CLEAR
@@ -44,6 +45,8 @@ class Candidate:
     @property
     def severity(self) -> float:
         """The impact speed, less as there is hope that what is missed can still be mended [m/s]."""
+        if not isfinite(self.plan.violation):
+            return inf
         speed = 0.0 if self.impact_speed is None else self.impact_speed
         return speed * min(1.0, self.plan.violation / HOPELESS)
 
@@ -88,7 +91,7 @@ def _is_much_cheaper(best: Candidate, committed: Candidate, commitment: float) -
 def _best(candidates: Sequence[Candidate]) -> Candidate:
     best = candidates[0]
     for each in candidates[1:]:
-        is_cheaper = each.cost < best.cost - EQUAL * (1 + abs(best.cost))
+        is_cheaper = each.cost < (best.cost - EQUAL * (1 + abs(best.cost)) if isfinite(best.cost) else inf)
         if each.faults < best.faults or (each.faults == best.faults and is_cheaper):
             best = each
     return best

@@ -27,13 +27,11 @@ class Planes(NamedTuple):
         normal: (k, 2) unit vectors from obstacle to footprint, in world axes, for each pose but the first.
         gap: (k,) left side of the inequality [m].
         turning: (k,) derivative of the gap by the pose's psi [m/rad].
-        smallest: the smallest gap, of both ends of a pair where a line is for a pair [m].
     """
 
     normal: Array
     gap: Array
     turning: Array
-    smallest: float
 
 
 class Separation:
@@ -57,9 +55,18 @@ class Separation:
         if self._tangents is not None and isinstance(shape, Ellipse) and passing is not Passing.BEHIND:
             found = self._tangents.along(shape, heading, poses, passing)
             if found is not None:
-                normal, gap, smallest = found
-                return Planes(normal, gap, np.zeros(len(gap)), smallest)
-        normal, gaps, turnings = self._lines.between(shape, heading, poses, passing.value)
-        # the very first pose is measured: it can't be moved, and does not count
-        smallest = min(float(gaps[:, 1].min()), float(gaps[1:, 0].min(initial=np.inf)))
-        return Planes(normal, gaps[:, 1], turnings[:, 1], smallest)
+                normal, gap = found
+                return Planes(normal, gap, np.zeros(len(gap)))
+        normals, gaps, turnings = self._lines.between(shape, heading, poses, passing.value)
+        return _nearer(Planes(normals, gaps[:, 1], turnings[:, 1]), Planes(normals[1:], gaps[1:, 0], turnings[1:, 0]))
+
+
+def _nearer(later: Planes, earlier: Planes) -> Planes:
+    """Of the two lines that a pose has, as the later one of its pair and as the earlier of the next, the nearer one.
+
+    The very first pose is measured: it can't be moved and has none. The last one is no earlier one.
+    """
+    which = np.flatnonzero(earlier.gap < later.gap[:-1])
+    normal, gap, turning = (np.array(each) for each in later)
+    normal[which], gap[which], turning[which] = earlier.normal[which], earlier.gap[which], earlier.turning[which]
+    return Planes(normal, gap, turning)

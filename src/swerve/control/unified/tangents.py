@@ -1,8 +1,8 @@
 """Tangents that keep a point out of an ellipse: one for each pose, where the ray from the centre leaves the ellipse.
 
 In the scaled plane in which the ellipse is the unit circle, two points outside a circle of radius 1 / cos(phi / 2),
-seen from its centre under an angle phi, have a chord outside the unit circle: so far the ellipse is blown up. What follows
-in larger steps is kept out by lines for pairs (`lines.py`).
+seen from its centre under an angle phi, have a chord outside the unit circle: so far the ellipse is blown up. What
+follows in larger steps is kept out by lines for pairs (`lines.py`).
 """
 
 from typing import Final
@@ -30,10 +30,8 @@ class Tangents:
         """The first `n_fine` poses have tangents, the others lines for pairs."""
         self._along = Kernel(_along(n_poses, n_fine))
 
-    def along(
-        self, shape: Ellipse, heading: float, poses: Array, passing: Passing
-    ) -> tuple[Array, Array, float] | None:
-        """Normals (n - 1, 2) and gaps (n - 1,) [m] of each pose but the first, and the smallest gap of all [m].
+    def along(self, shape: Ellipse, heading: float, poses: Array, passing: Passing) -> tuple[Array, Array] | None:
+        """Normals (n - 1, 2) and gaps (n - 1,) [m] of each pose but the first.
 
         Args:
             shape: of the obstacle.
@@ -45,22 +43,24 @@ class Tangents:
             None where two fine poses are too far apart for tangents.
         """
         fixed = np.array([heading, *shape.semi_axes, 1.0, 0.0, 0.0, 0.0, 0.0, passing.value])
-        normals, gaps, extremes = self._along(poses.T, fixed)
-        return None if extremes[1] > LONGEST_STEP**2 else (normals.T, gaps, float(extremes[0]))
+        normals, gaps, longest = self._along(poses.T, fixed)
+        return None if longest[0] > LONGEST_STEP**2 else (normals.T, gaps)
 
 
 def _along(n_poses: int, n_fine: int) -> ca.Function:
-    """(poses (3, n), p of `lines.pair`) -> normals, gaps, [smallest gap, longest fine step squared]."""
+    """(poses (3, n), p of `lines.pair`) -> normals, gaps, square of the longest fine step."""
     poses, p = ca.MX.sym("poses", 3, n_poses), ca.MX.sym("p", 9)
     fine, after = poses[:, :n_fine], ca.horzcat(poses[:, 2:n_fine], poses[:, n_fine - 1])
     tangents = _tangent().map("tangents", "serial", n_fine - 1, [3], [])(fine[:, :-1], fine[:, 1:], after, p)
-    normals, gaps, smallest = tangents[:2, :], tangents[2, :], ca.mmin(tangents[2, :])
+    normals, gaps = tangents[:2, :], tangents[2, :]
     if n_poses > n_fine:
         pairs = pair().map("pairs", "serial", n_poses - n_fine, [2], [])
         lines = pairs(poses[:, n_fine - 1 : -1], poses[:, n_fine:], p)
-        normals, gaps = ca.horzcat(normals, lines[:2, :]), ca.horzcat(gaps, lines[3, :])
-        smallest = ca.fmin(smallest, ca.mmin(lines[2:4, :]))
-    return ca.Function("tangents_along", [poses, p], [normals, gaps.T, ca.vertcat(smallest, ca.mmax(tangents[3, :]))])
+        later, earlier = ca.horzcat(gaps, lines[3, :]), ca.horzcat(gaps[:-1], lines[2, :], lines[3, -1])
+        nearer = ca.repmat(earlier < later, 2, 1)  # a pose has a line as the later of a pair, and one as the earlier
+        ends = ca.horzcat(normals, lines[:2, :]), ca.horzcat(normals[:, :-1], lines[:2, :], lines[:2, -1])
+        normals, gaps = nearer * ends[1] + (1 - nearer) * ends[0], ca.fmin(later, earlier)
+    return ca.Function("tangents_along", [poses, p], [normals, gaps.T, ca.mmax(tangents[3, :])])
 
 
 def _tangent() -> ca.Function:

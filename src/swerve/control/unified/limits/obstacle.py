@@ -55,11 +55,11 @@ class ObstacleLimit:
 
     def violation(self, trajectory: Trajectory) -> float:
         """Largest distance by which margin and comfort, less what curvature may take, are missed [m]."""
-        return max(0.0, self._margin + self._penalty.comfort - SAG - self._planes(trajectory).smallest)
+        return max(0.0, self._margin + self._penalty.comfort - SAG - self._smallest(trajectory))
 
     def is_near(self, trajectory: Trajectory) -> bool:
         """Whether any pose is within reach, so that `rows` are not empty."""
-        return self._planes(trajectory).smallest < REACH
+        return self._smallest(trajectory) < REACH
 
     def rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
         """A row for each half-plane in reach."""
@@ -78,6 +78,9 @@ class ObstacleLimit:
             return None
         first = int(touching[0]) + 1
         return first, self._forecast.velocity_at(self._times[first : first + 1])[0]
+
+    def _smallest(self, trajectory: Trajectory) -> float:
+        return float(self._planes(trajectory).gap.min())
 
     def _planes(self, trajectory: Trajectory) -> Planes:
         """Half-planes and gaps of a trajectory; those of the last one are kept, since it is asked for them thrice."""
