@@ -72,6 +72,7 @@ class UnifiedSettings(Settings):
         clearance_margin: between the footprint and an obstacle, soft [m].
         clearance_penalty: per metre of margin that is missed [1/m].
         clearance_penalty_quadratic: per square metre of it [1/m^2].
+        passing_gap: besides the margin, to an obstacle that it passes, as far as it costs little [m].
         stopping_gap: besides the margin, to an obstacle that it stays behind [m].
         force_weight: on each wheel force, which settles the forces that the cost does not see [1/N^2].
         trust_steering: largest change of a planned steering angle in an iteration [rad].
@@ -88,6 +89,7 @@ class UnifiedSettings(Settings):
     clearance_margin: Margin = 0.02
     clearance_penalty: Weight = 2e4
     clearance_penalty_quadratic: Weight = 1e5
+    passing_gap: Margin = 0.1
     stopping_gap: Margin = 1.0
     force_weight: Weight = 1e-8
     trust_steering: Angle = 0.08

@@ -6,6 +6,7 @@ from typing import Self
 import tomli_w
 from pydantic import Field, model_validator
 
+from swerve.scenario.actuation import ActuationSettings
 from swerve.scenario.controller import ControllerSettings
 from swerve.scenario.ego import EgoSettings
 from swerve.scenario.obstacle import ObstacleSettings
@@ -55,6 +56,7 @@ class Scenario(Settings):
         controller: horizons, weights and sample time.
         plant: the simulated vehicle's clock.
         sensing: what the controller gets to know, and when.
+        actuation: what the vehicle can command, and what of it has failed.
     """
 
     name: Name = Field(examples=['"my-scenario"'])
@@ -68,6 +70,7 @@ class Scenario(Settings):
     controller: ControllerSettings = Field(default_factory=ControllerSettings)
     plant: PlantSettings = Field(default_factory=PlantSettings)
     sensing: SensingSettings = Field(default_factory=SensingSettings)
+    actuation: ActuationSettings = Field(default_factory=ActuationSettings)
 
     @model_validator(mode="after")
     def _clocks_agree(self) -> Self:
@@ -89,6 +92,14 @@ class Scenario(Settings):
                 fault = f"{obstacle.noun} covers the ego vehicle at its start, ({x:g} m, {y:g} m)"
                 key = "waypoints" if obstacle.waypoints else "position"
                 raise KeyedError(f"obstacles.{index}.{key}", f"{fault}; move one of them")
+        return self
+
+    @model_validator(mode="after")
+    def _stuck_within_lock(self) -> Self:
+        angle, lock = self.actuation.steering_stuck, self.ego.to_vehicle().steering_limit
+        if angle is not None and abs(angle) > lock:
+            fault = f"{angle:g} rad is beyond the vehicle's steering lock"
+            raise KeyedError("actuation.steering_stuck", f"{fault}; write at most {lock:g} rad to either side")
         return self
 
     @property

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any, Final
 
 from swerve.control import Controller, Goal, Horizon, Latency, Weights
+from swerve.control.actuation import Actuation
 from swerve.control.as_printed import AsPrintedController, AsPrintedSettings
 from swerve.control.unified import Formulation, UnifiedController, UnifiedSettings
 from swerve.errors import InputError, unknown
@@ -15,6 +16,8 @@ from swerve.vehicle.multibody import Actuators, completion_of
 from swerve.world import Friction
 
 ONE_FRICTION: Final = "the planar plant has one friction for all wheels; take the multibody plant"
+
+ALL_INPUTS: Final = "actuation: the controller as-printed commands all inputs; take unified, or mode all with known = false"
 
 AXLES_IN_TURN = (
     1.5  # [1] relaxation lengths until a turn is there: the front axle's, and half of the rear one's upon it
@@ -47,18 +50,29 @@ def _shared(scenario: Scenario, plant: str) -> dict[str, Any]:
     }
 
 
+def actuation_of(scenario: Scenario) -> Actuation:
+    """The inputs that a controller is told it has: those of the mode, less the failures that are known."""
+    told = scenario.actuation
+    failures = (told.failed, told.steering_stuck) if told.known else ()
+    return Actuation.of(scenario.ego.to_vehicle(), told.mode, *failures)
+
+
 def _unified(scenario: Scenario, plant: str) -> UnifiedController:
     formulation = Formulation(
         footprint=scenario.ego.to_footprint(),
         road=scenario.road.to_world(),
         latency=_latency(scenario, plant),
         settings=UnifiedSettings(**scenario.controller.unified.model_dump()),
+        actuation=actuation_of(scenario),
         **_shared(scenario, plant),
     )
     return UnifiedController(formulation)
 
 
 def _as_printed(scenario: Scenario, plant: str) -> AsPrintedController:
+    told = scenario.actuation
+    if told.mode != "all" or (told.has_failures and told.known):
+        raise InputError(ALL_INPUTS)
     settings = AsPrintedSettings(**scenario.controller.as_printed.model_dump())
     return AsPrintedController(settings=settings, **_shared(scenario, plant))
 

@@ -16,6 +16,7 @@ from swerve.scenario import Scenario
 from swerve.sensing import Past, Truth
 from swerve.signals import Command, Measurement
 from swerve.simulate.assemble import DEFAULT_CONTROLLER, DEFAULT_PLANT, controller_named, plant_named, sensor_of
+from swerve.simulate.failures import Failures
 from swerve.simulate.log import Log, motion_table, steps_table
 from swerve.simulate.result import Result, evaluate
 from swerve.world import Obstacle
@@ -88,6 +89,7 @@ def _drive(
     """The loop: traces of the plant, and command, plan and time of each controller step."""
     ego, sample_time = scenario.ego, scenario.controller.sample_time
     obstacles = [obstacle.to_world() for obstacle in scenario.obstacles]
+    failures = Failures(scenario.actuation.failed, scenario.actuation.steering_stuck)
     state = plant.start(np.array([ego.speed, 0.0, 0.0, ego.heading, *ego.position]))
     past = Past(scenario.plant.step, scenario.n_substeps, Truth(state.vehicle, state.wheel_loads, np.zeros(2)))
     memory = controller.start()
@@ -100,7 +102,7 @@ def _drive(
         began = time.perf_counter()
         command, plan, memory = controller.step(measurement, memory)
         step_times.append(time.perf_counter() - began)
-        state, trace = plant.advance(state, command)
+        state, trace = plant.advance(state, failures.acting(command))
         now = Truth(state.vehicle, state.wheel_loads, trace.acceleration[-1])
         past.grow(trace.states, trace.wheel_loads, trace.acceleration, now)
         traces.append(trace)
@@ -109,7 +111,7 @@ def _drive(
         progress((k + 1) / scenario.n_samples)
         if not np.isfinite(state.vehicle).all():
             break
-    _, last = plant.advance(state, commands[-1])
+    _, last = plant.advance(state, failures.acting(commands[-1]))
     traces.append(_first_row(last))
     return traces, commands, plans, step_times
 

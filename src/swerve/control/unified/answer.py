@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control.plan import Branch, Plan
-from swerve.control.unified.choice import CLEAR, Candidate, Choice
+from swerve.control.unified.choice import Candidate, Choice
 from swerve.control.unified.improve import WayPlan
+from swerve.control.unified.situation import CLEAR
 from swerve.conventions import FORCES, WHEELS
 from swerve.signals import Measurement
 

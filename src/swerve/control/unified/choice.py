@@ -1,20 +1,20 @@
 """Which way is taken: clear before not clear, on the road before off it, then the cheaper one; and no dithering.
 
-Where no way is clear, the one with the least impact speed: a collision that can't be avoided is to be a mild one.
+Where no way is clear, the one with the least impact speed, weighed by how much it misses: a collision that can't be
+avoided is to be a mild one, and one that nearly can be is better tried.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from swerve.control.unified.improve import WayPlan
+from swerve.control.unified.situation import CLEAR
 
-CLEAR = 5e-3  # [m] a margin missed by less counts as kept
 NEARLY = 0.1  # [m] a margin missed by less may still be mended; by more on every way, and a collision is expected
 ON_ROAD = 0.05  # [m] beyond an edge that does not count
-EQUAL = 1e-6  # [1] relative difference of two costs that is rounding
-MILDER = 0.5  # [m/s] by which an impact must be slower to be worth another way
+EQUAL = 1e-2  # [1] relative difference of two costs that says nothing
+HOPELESS = 0.5  # [m] of margin missed from which on nothing can be mended
+MILDER = 0.5  # [m/s] by which an impact must be milder to be worth another way
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,9 +37,15 @@ class Candidate:
         return self.plan.violation > CLEAR, self.plan.off_road > ON_ROAD
 
     @property
-    def impact(self) -> float:
-        """The impact speed, infinitely little where nothing is touched [m/s]."""
-        return -np.inf if self.impact_speed is None else self.impact_speed
+    def grave_faults(self) -> tuple[bool, bool]:
+        """The same, but for what the next steps may still mend."""
+        return self.plan.violation > NEARLY, self.plan.off_road > NEARLY
+
+    @property
+    def severity(self) -> float:
+        """The impact speed, less as there is hope that what is missed can still be mended [m/s]."""
+        speed = 0.0 if self.impact_speed is None else self.impact_speed
+        return speed * min(1.0, self.plan.violation / HOPELESS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,12 +71,18 @@ def choose(candidates: Sequence[Candidate], committed: Candidate | None, commitm
     best = _best(candidates)
     if committed is None or best is committed:
         return Choice(best, _why(best, candidates))
-    if best.faults < committed.faults:
-        what = "touches an obstacle" if committed.faults[0] else "leaves the road"
+    if best.faults < committed.grave_faults:
+        what = "touches an obstacle" if committed.grave_faults[0] else "leaves the road"
         return Choice(best, f"the way so far, {committed.plan.way.name}, {what}")
-    if best.faults == committed.faults and best.cost < commitment * committed.cost:
+    if best.faults <= committed.faults and _is_much_cheaper(best, committed, commitment):
         return Choice(best, f"costs less than {commitment:.0%} of the way so far, {committed.plan.way.name}")
     return Choice(committed, "the way so far, and none is much better")
+
+
+def _is_much_cheaper(best: Candidate, committed: Candidate, commitment: float) -> bool:
+    """Whether both within the horizon and with what is beyond: the latter alone swings while a swerve is under way."""
+    within = best.plan.step.merit < commitment * committed.plan.step.merit
+    return within and best.cost < commitment * committed.cost
 
 
 def _best(candidates: Sequence[Candidate]) -> Candidate:
@@ -83,8 +95,8 @@ def _best(candidates: Sequence[Candidate]) -> Candidate:
 
 
 def _mildest(candidates: Sequence[Candidate], committed: Candidate | None) -> Choice:
-    mildest = min(candidates, key=lambda each: each.impact)
-    if committed is not None and committed.impact <= mildest.impact + MILDER:
+    mildest = min(candidates, key=lambda each: each.severity)
+    if committed is not None and committed.severity <= mildest.severity + MILDER:
         mildest = committed
     speed = "none" if mildest.impact_speed is None else f"{mildest.impact_speed:.1f} m/s"
     return Choice(mildest, f"no way is clear: the least impact speed, {speed}")

@@ -2,9 +2,8 @@
 several obstacles their combinations - is a program of its own (`formulation.py`); the best of their plans is taken.
 """
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from dataclasses import replace
-from time import thread_time
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,17 +11,17 @@ from numpy.typing import NDArray
 from swerve.control.plan import Fallback, Plan
 from swerve.control.protocol import Controller
 from swerve.control.unified.answer import plan_of
-from swerve.control.unified.choice import CLEAR, ON_ROAD, Candidate, choose
+from swerve.control.unified.choice import ON_ROAD, Candidate, choose
 from swerve.control.unified.compensation import is_late, n_commands
-from swerve.control.unified.fallback import fallback_plan
+from swerve.control.unified.deadline import Clock, Deadline
+from swerve.control.unified.fallback import Ladder
 from swerve.control.unified.forecast import forecasts
 from swerve.control.unified.formulation import Formulation
 from swerve.control.unified.improve import WayPlan
-from swerve.control.unified.limits import InputBox
 from swerve.control.unified.memory import Memory, is_same, shifted
 from swerve.control.unified.planning import Planning
 from swerve.control.unified.scene import Scene
-from swerve.conventions import N_INPUTS
+from swerve.control.unified.situation import CLEAR
 from swerve.signals import Command, Measurement
 from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters
@@ -35,21 +34,15 @@ Answer = tuple[Command, Plan, Memory]
 class UnifiedController(Controller[Memory]):
     """Collision avoidance by sequential convex programming, for one vehicle on a road of known friction."""
 
-    def __init__(self, formulation: Formulation, clock: Callable[[], float] = thread_time) -> None:
-        """The controller of a formulation.
-
-        Args:
-            formulation: of its programs.
-            clock: that its deadline is kept by [s]; by default it counts the processor's time for this thread, as a
-                simulation shares the processor and a controller in a vehicle does not.
-        """
+    def __init__(self, formulation: Formulation, clock: Clock | None = None) -> None:
+        """A controller whose steps keep their deadline by a clock [s]; without one, by counting their work."""
         self._formulation, self._clock = formulation, clock
 
     def start(self) -> Memory:
-        """Wheels straight, no force, no plan."""
+        """No force, no plan; wheels straight, or as they are stuck."""
         formulation = self._formulation
         n = n_commands(formulation.latency, formulation.horizon.sample_time)
-        return Memory((np.zeros(N_INPUTS),) * n)
+        return Memory((formulation.actuation.fixed,) * n)
 
     def step(self, measurement: Measurement, memory: Memory) -> Answer:
         """One sample: the ways planned, the best one taken, its first input commanded."""
@@ -57,25 +50,24 @@ class UnifiedController(Controller[Memory]):
             return self._step(measurement, memory)
 
     def _step(self, measurement: Measurement, memory: Memory) -> Answer:
-        begun = self._clock()
+        allowed = self._formulation.settings.deadline * self._formulation.horizon.sample_time
+        deadline = Deadline(allowed, self._clock)
+        if measurement.is_finite:
+            memory = replace(memory, wheel_loads=measurement.wheel_loads)
         reason = self._unusable(measurement)
         if reason is not None:
             return self._fall_back(measurement, reason, memory)
         formulation = self._formulation
         memory = replace(memory, forecasts=forecasts(measurement.stamp, measurement.obstacles, memory.forecasts))
-        scene = formulation.scene(measurement, memory.forecasts, memory)
-        planning = Planning(formulation, scene, measurement, memory, lambda: self._is_over(begun))
-        plans = planning.plans()
+        planning = Planning(formulation, formulation.scene(measurement, memory), measurement, memory, deadline)
+        plans = planning.unsolved() if deadline.is_over else planning.plans()
+        again = planning.overlooked(plans)
+        if again is not None and not deadline.is_over:
+            planning, plans = again, again.plans()
         if any(plan.n_solved for plan in plans):
-            return self._take(scene, plans, measurement, memory)
-        n_failed = sum(plan.n_failed for plan in plans)
-        reason = Fallback.NO_SOLUTION if n_failed else Fallback.DEADLINE
-        return self._fall_back(measurement, reason, memory, n_failed)
-
-    def _is_over(self, begun: float) -> bool:
-        """Whether the step has used up its time."""
-        horizon, settings = self._formulation.horizon, self._formulation.settings
-        return self._clock() - begun > settings.deadline * horizon.sample_time
+            return self._take(planning.scene, plans, measurement, memory)
+        reason = Fallback.NO_SOLUTION if any(plan.n_failed for plan in plans) else Fallback.DEADLINE
+        return self._fall_back(measurement, reason, memory, plans)
 
     def _take(self, scene: Scene, plans: list[WayPlan], measurement: Measurement, memory: Memory) -> Answer:
         """The best plan as command, and what the next step is to know."""
@@ -94,9 +86,11 @@ class UnifiedController(Controller[Memory]):
             taken,
             taken if is_shaped else None,
             memory.forecasts,
+            scene.threats,
             plan,
             0,
             memory.count + 1,
+            memory.wheel_loads,
         )
         return Command.from_input(plan.inputs[0]), plan, after
 
@@ -113,23 +107,23 @@ class UnifiedController(Controller[Memory]):
         return Fallback.LATE if late else None
 
     def _fall_back(
-        self, measurement: Measurement, reason: Fallback, memory: Memory, solver_failures: int = 0
+        self, measurement: Measurement, reason: Fallback, memory: Memory, plans: Sequence[WayPlan] = ()
     ) -> Answer:
-        """The command of the documented fallback; the memory's plans move on by one sample."""
+        """The command of the documented fallback; the memory's plans move on by one sample.
+
+        `plans` are the ways of this step from the measured state on, none where it can't be planned from.
+        """
         formulation = self._formulation
-        vehicle, friction = formulation.vehicle, formulation.place.friction
-        loads = np.array(wheel_loads(Parameters.of(vehicle, friction)))
-        largest = InputBox.of(vehicle, friction, loads, formulation.blocking).largest
-        plan = fallback_plan(measurement.time, reason, memory, largest, formulation.horizon.prediction)
-        moved = {key: shifted(inputs) for key, inputs in memory.inputs.items()}
-        return (
-            Command.from_input(plan.inputs[0]),
-            replace(plan, solver_failures=solver_failures),
-            replace(
-                memory,
-                commands=memory.after(plan.inputs[0]),
-                inputs=moved,
-                age=memory.age + 1,
-                count=memory.count + 1,
-            ),
+        standing = np.array(wheel_loads(Parameters.of(formulation.vehicle, formulation.place.friction)))
+        loads = standing if memory.wheel_loads is None else memory.wheel_loads
+        ladder = Ladder(formulation.actuators(loads, memory), formulation.model, loads, memory, plans)
+        plan, samples = ladder.plan(measurement.time, reason)
+        after = replace(
+            memory,
+            commands=memory.after(plan.inputs[0]),
+            inputs={key: shifted(inputs) for key, inputs in memory.inputs.items()},
+            plan=memory.plan if samples else plan,
+            age=samples,
+            count=memory.count + 1,
         )
+        return Command.from_input(plan.inputs[0]), plan, after

@@ -6,17 +6,17 @@ within    steering lock, wheel forces that leave room for the lateral demand    
           half-planes between footprint and obstacles, road edges, slip angles below the tyre's peak (15)
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.actuation import EVERYTHING, Actuation
 from swerve.control.plan import Passing, Side
 from swerve.control.settings import Goal, Horizon, Latency, Weights
 from swerve.control.unified.compensation import state_at_effect
 from swerve.control.unified.condensing import Blocking
-from swerve.control.unified.forecast import Forecast
+from swerve.control.unified.deadline import Deadline
 from swerve.control.unified.improve import WayPlan
 from swerve.control.unified.limits import (
     InputBox,
@@ -27,7 +27,6 @@ from swerve.control.unified.limits import (
     SlipLimit,
     SoftLimit,
     SteeringRateLimit,
-    StoppingGap,
 )
 from swerve.control.unified.lines import Lines
 from swerve.control.unified.memory import Memory
@@ -53,7 +52,8 @@ N_COARSE = 16  # steps of the tail that are larger than a sample
 CALM = 0.25  # [1] share of the slip angle that a straight stop may take; changes of steering cost 1 / share^4 as much
 LANE_KEPT = 0.1  # [m] to each side by which a stop may leave its line
 LANE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of more than that
-COMFORT = Penalty(2e3, 0.0)  # [1/m] of a gap that is missed: more than a standing vehicle gains by creeping on
+PASSING = 1e3  # [1/m] of a gap that is missed beside an obstacle
+STOPPING = 2e3  # [1/m] of one that is missed behind it: more than a standing vehicle gains by creeping on
 EDGE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of what is off the road: less than of a collision, more than of a slide
 
 
@@ -79,12 +79,15 @@ class Formulation:
         weights: Weights,
         latency: Latency,
         settings: UnifiedSettings,
+        actuation: Actuation = EVERYTHING,
     ) -> None:
         """Build the kernels; a first time compiles them."""
         self.vehicle, self.horizon, self.latency, self.settings = vehicle, horizon, latency, settings
-        self.place = Place(footprint, road, friction, goal.lateral_offset, settings.clearance_margin)
+        self.actuation = actuation
+        able = actuation.braking, actuation.turning
+        self.place = Place(footprint, road, friction, goal.lateral_offset, settings.clearance_margin, *able)
         self.model = PredictionModel(vehicle, friction, horizon)
-        self.blocking = Blocking(horizon)
+        self.blocking = Blocking(horizon, actuation)
         n_fine = 2 * horizon.prediction + 1 + horizon.prediction
         self._tail = Tail(horizon.prediction + N_COARSE)
         self._separation = Separation(footprint, n_fine + N_COARSE, n_fine)
@@ -97,35 +100,44 @@ class Formulation:
         )
         self._force = WheelForce(settings.force_weight, self.blocking)
         self._trust = np.array([settings.trust_steering] + 4 * [settings.trust_force])
-        self._clearance = Penalty(settings.clearance_penalty, settings.clearance_penalty_quadratic)
+        prices = (settings.clearance_penalty, settings.clearance_penalty_quadratic)
+        self._beside = Penalty(*prices, settings.passing_gap, PASSING)
+        self._behind = Penalty(*prices, settings.stopping_gap, STOPPING)
         self._edges = self._road_edges()
         self._swerving = self._calmness(weights, 1.0)
         self._straight = self._calmness(weights, CALM)
         self._pricing = Pricing(goal, weights, horizon.sample_time, settings.clearance_penalty)
 
-    def scene(self, measurement: Measurement, forecasts: tuple[Forecast, ...], memory: Memory) -> Scene:
+    def scene(self, measurement: Measurement, memory: Memory) -> Scene:
         """What this step plans in, from where its command begins to act."""
         delay = self.latency.effect(float(measurement.state[VX]))
         start = state_at_effect(measurement, memory.commands, delay, self.model)
-        return look(self.place, start, measurement.time + delay, forecasts, self._tail, self._lines)
+        time, known = measurement.time + delay, memory.forecasts
+        return look(self.place, start, time, known, memory.threats, self._tail, self._lines)
 
     def situation(
-        self, scene: Scene, way: Way, measurement: Measurement, memory: Memory, is_over: Callable[[], bool]
+        self, scene: Scene, way: Way, measurement: Measurement, memory: Memory, deadline: Deadline
     ) -> Situation:
         """Cost and limits of this step for one way."""
         duration = float(self._half_samples[-1])
         beyond = outlook(scene, way, self.horizon.sample_time, self.horizon.prediction, N_COARSE, duration)
         times = scene.time + np.concatenate([self._half_samples, duration + beyond.times])
-        box = InputBox.of(self.vehicle, self.place.friction, measurement.wheel_loads, self.blocking)
-        obstacles = [limit for i in range(len(scene.forecasts)) for limit in self._obstacle(scene, way, i, times)]
-        rate = self.vehicle.steering_rate_limit * self.horizon.sample_time
-        hard = [SteeringRateLimit(rate, float(memory.command[DELTA]), self.blocking)] if np.isfinite(rate) else []
+        obstacles = [self._obstacle(scene, way, i, times) for i in range(len(scene.forecasts))]
         calm = self._straight if way.is_straight else self._swerving
         terms = (*self._tracking, calm.input_rate.after(memory.command), self._force)
         lane = self._lane(scene) if way.is_straight else ()
-        program = Program(terms, box, hard, (*obstacles, *lane, *self._edges, calm.slip))
+        within = self.actuators(measurement.wheel_loads, memory)
+        program = replace(within, terms=terms, soft=(*obstacles, *lane, *self._edges, calm.slip))
         loads, trust = measurement.wheel_loads, self._trust
-        return Situation(way, program, self.model, self._tail, beyond, times, scene.start, loads, trust, is_over)
+        return Situation(way, program, self.model, self._tail, beyond, times, scene.start, loads, trust, deadline)
+
+    def actuators(self, loads: Array, memory: Memory) -> Program:
+        """A program of nothing but what the actuators can do, with wheel loads (4,) [N], after the last command."""
+        box = InputBox.of(self.vehicle, self.place.friction, loads, self.blocking)
+        rate = self.vehicle.steering_rate_limit * self.horizon.sample_time
+        is_limited = self.actuation.steers and np.isfinite(rate)
+        hard = [SteeringRateLimit(rate, float(memory.command[DELTA]), self.blocking)] if is_limited else []
+        return Program((), box, hard, ())
 
     def price(self, scene: Scene, way: Way) -> float:
         """The price of a way as a point mass would drive it [1]."""
@@ -139,14 +151,11 @@ class Formulation:
         window = SHORTEST_LOOK - float(self._half_samples[-1])
         return plan.step.merit + self._pricing.tracking(poses, trajectory.speeds_beyond, beyond.durations, window)
 
-    def _obstacle(self, scene: Scene, way: Way, index: int, times: Array) -> list[SoftLimit]:
-        """The limits for one obstacle."""
-        forecast, passing = scene.forecasts[index], way.passing[index]
-        limit = ObstacleLimit(
-            index, forecast, times, self._separation, passing, self.place.margin, self._clearance
-        )
-        behind = passing is Passing.BEHIND
-        return [limit, StoppingGap(limit, self.settings.stopping_gap, COMFORT)] if behind else [limit]
+    def _obstacle(self, scene: Scene, way: Way, index: int, times: Array) -> ObstacleLimit:
+        """The limit for one obstacle."""
+        passing, margin = way.passing[index], self.place.margin
+        penalty = self._behind if passing is Passing.BEHIND else self._beside
+        return ObstacleLimit(index, scene.forecasts[index], times, self._separation, passing, margin, penalty)
 
     def _calmness(self, weights: Weights, share: float) -> "_Calmness":
         rates = np.array([weights.steering_rate / share**4] + 4 * [weights.force_rate])

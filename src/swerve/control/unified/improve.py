@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control.unified.acceptance import Step, accept
+from swerve.control.unified.deadline import PROGRAM
 from swerve.control.unified.situation import Situation
 from swerve.control.unified.way import Way
 from swerve.qp import solve
@@ -64,9 +65,10 @@ def improve(plan: WayPlan, iterations: int) -> WayPlan:
     situation, program = plan.situation, plan.situation.program
     blocking = program.box.blocking
     for _ in range(iterations):
-        if plan.n_solved + plan.n_failed and situation.is_over():
+        if plan.n_solved + plan.n_failed and situation.deadline.is_over:
             break
         step = plan.step
+        situation.deadline.count(PROGRAM)
         trust = plan.trust * situation.full_trust
         solution = solve(program.convex(step.trajectory, situation.sensitivities(step), trust))
         if not solution.is_solved:

@@ -8,6 +8,7 @@ of their face normals separates them (separating axis theorem). What lies betwee
 footprints are behind one line, and so is what joins them.
 """
 
+from functools import cache
 from typing import Final
 
 import casadi as ca
@@ -28,11 +29,10 @@ class Lines:
 
     def __init__(self, footprint: Footprint, n_pairs: int) -> None:
         """Compile, or take from the cache, the search over all normals."""
-        self._lines = Kernel(_pair().map(n_pairs))
+        self._lines = Kernel(_pair().map(f"lines_{n_pairs}", "serial", n_pairs, [2], []))
         centre = (0.0, 0.0) if isinstance(footprint, Point) else footprint.centre
         half = (0.0, 0.0) if isinstance(footprint, Point) else (footprint.length / 2, footprint.width / 2)
         self._footprint = np.array([*half, *centre])
-        self._shape = (n_pairs, 1)
 
     def between(self, shape: Shape, heading: float, poses: Array, passing: int) -> tuple[Array, Array, Array]:
         """The best line of each pair.
@@ -48,7 +48,7 @@ class Lines:
             psi (n_pairs, 2) [m/rad].
         """
         fixed = np.array([heading, *_extent(shape), isinstance(shape, Ellipse), *self._footprint, passing])
-        found = self._lines(poses[:-1].T, poses[1:].T, np.broadcast_to(fixed[:, np.newaxis], (9, len(poses) - 1)))[0].T
+        found = self._lines(poses[:-1].T, poses[1:].T, fixed)[0].T
         return found[:, :2], found[:, 2:4], found[:, 4:]
 
 
@@ -59,6 +59,7 @@ def _extent(shape: Shape) -> tuple[float, float]:
     return (0.0, 0.0) if isinstance(shape, Point) else (shape.length / 2, shape.width / 2)
 
 
+@cache
 def _pair() -> ca.Function:
     """(pose, next pose, [heading, half length and width, is ellipse, footprint's, its centre, passing]) -> line."""
     first, second, p = ca.SX.sym("first", 3), ca.SX.sym("second", 3), ca.SX.sym("p", 9)

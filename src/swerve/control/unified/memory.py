@@ -24,9 +24,11 @@ class Memory:
         taken: the way taken last; None before the first step.
         committed: that way, if an obstacle shaped a plan.
         forecasts: of each obstacle.
-        plan: the last plan that was no fallback.
+        threats: indices of the obstacles that were in the path.
+        plan: that is followed: the last one that was no fallback, or full braking that was taken after it.
         age: samples since that plan [1].
         count: steps so far [1].
+        wheel_loads: (4,) of the last measurement that was finite [N]; None before the first.
     """
 
     commands: tuple[Array, ...]
@@ -35,9 +37,11 @@ class Memory:
     taken: Key | None = None
     committed: Key | None = None
     forecasts: tuple[Forecast, ...] = ()
+    threats: tuple[int, ...] = ()
     plan: Plan | None = None
     age: int = 0
     count: int = 0
+    wheel_loads: Array | None = None
 
     @property
     def command(self) -> Array:

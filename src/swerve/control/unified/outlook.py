@@ -41,14 +41,15 @@ def outlook(scene: Scene, way: Way, sample_time: float, n_fine: int, n_coarse: i
         ahead: from the scene's start to where the outlook begins [s].
     """
     grip = scene.place.grip
-    braking = 0.0 if not way.brakes else BRAKING * grip if way.is_straight else BRAKING_IN_A_SWERVE * grip
+    deceleration = scene.place.braking * (BRAKING if way.is_straight else BRAKING_IN_A_SWERVE) * grip
+    braking = deceleration if way.brakes else 0.0
     stop = scene.speed / braking - n_fine * sample_time if braking else 0.0
     durations = np.full(n_fine + n_coarse, sample_time)
     durations[n_fine:] = max(GROWING, stop / n_coarse)
     times = ahead + np.cumsum(durations)
     if way.is_straight:
         return Outlook(durations, np.zeros_like(durations), 0.0, GENTLE * grip, braking)
-    return Outlook(durations, _targets(scene, way, times), STIFFNESS, SWERVING * grip, braking)
+    return Outlook(durations, _targets(scene, way, times), STIFFNESS, scene.place.turning * SWERVING * grip, braking)
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,7 @@ def _target(meeting: _Meeting, meetings: list[_Meeting], scene: Scene, goal: flo
     if lowest > highest:
         return (lowest + highest) / 2
     further = OVERSHOOT if meeting.is_threat else 0.0
-    wanted = max(goal, meeting.lowest + further) if np.isfinite(meeting.lowest) else min(goal, meeting.highest - further)
+    wanted = min(max(goal, meeting.lowest + further), meeting.highest - further)
     return min(max(wanted, lowest), highest)
 
 

@@ -1,17 +1,18 @@
-"""The ways of one step, planned one after the other: the one taken so far first, and as long as the step's time lasts."""
+"""The ways of one step, planned one after the other: that taken so far first, and as long as the time lasts."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from swerve.control.unified.acceptance import Step
-from swerve.control.unified.choice import CLEAR, NEARLY, ON_ROAD
+from swerve.control.unified.choice import NEARLY, ON_ROAD
+from swerve.control.unified.deadline import Deadline
 from swerve.control.unified.formulation import Formulation
 from swerve.control.unified.improve import TRUST_AFTER_A_STEP, WayPlan, improve
 from swerve.control.unified.memory import Memory, is_same, shifted
 from swerve.control.unified.scene import Scene
 from swerve.control.unified.seeds import seeds
+from swerve.control.unified.situation import CLEAR
 from swerve.control.unified.way import Way, ways
 from swerve.conventions import N_INPUTS
 from swerve.signals import Measurement
@@ -29,31 +30,52 @@ class Planning:
         scene: of this step.
         measurement: of this step.
         memory: of the last step.
-        is_over: whether the step's time is.
+        deadline: of this step.
     """
 
     formulation: Formulation
     scene: Scene
     measurement: Measurement
     memory: Memory
-    is_over: Callable[[], bool]
+    deadline: Deadline
 
     def plans(self) -> list[WayPlan]:
         """The plans of the ways that were worth one, in the order in which equal ones are preferred.
 
         Where no obstacle is in reach of a plan all ways are one program, solved once; beside a way so far that is
-        clear the others are spare, and one of them in turn is improved.
+        clear, or nearly, the others are spare, and one of them in turn is improved.
         """
-        found = ways(self.scene.natural, self.scene.threats)
+        found = self._ways()
         first, *others = self._worth_planning(found)
-        begun = self._begin(first)
-        plan = self._plan(begun, is_new=self._is_new(begun))
+        plan = self._plan(self._begin(first))
         if not others or not plan.situation.is_near(plan.step):
             return [plan]
-        is_spare = self._is_committed(first) and not _has_faults(plan)
+        is_spare = self._is_committed(first) and max(plan.violation, plan.off_road) <= NEARLY
         turn = self.memory.count % len(others)
         rest = [self._plan_other(way, is_spare=is_spare, in_turn=i == turn) for i, way in enumerate(others)]
         return sorted([plan, *rest], key=lambda each: found.index(each.way))
+
+    def overlooked(self, plans: list[WayPlan]) -> "Planning | None":
+        """The planning with what was thought out of the path and is in the way of the only plan; None without."""
+        if self.scene.threats or not _has_faults(plans[0]):
+            return None
+        threats = plans[0].situation.touched(plans[0].step)
+        return replace(self, scene=replace(self.scene, threats=threats)) if threats else None
+
+    def unsolved(self) -> list[WayPlan]:
+        """What the ways begin with, for a step that has no time for a program."""
+        return [self._begin(way) for way in self._worth_planning(self._ways())]
+
+    def _ways(self) -> list[Way]:
+        """The ways of the scene that the vehicle has inputs for."""
+        actuation = self.formulation.actuation
+        found = ways(self.scene.natural, self.scene.threats, self.scene.companions)
+        possible = [
+            way
+            for way in found
+            if (actuation.braking or not way.brakes) and (actuation.turning or way.side is None)
+        ]
+        return possible or found
 
     def _worth_planning(self, found: list[Way]) -> list[Way]:
         """The way so far, or else the one with the least price, first; with the brake and the next best ones."""
@@ -71,7 +93,7 @@ class Planning:
 
     def _begin(self, way: Way) -> WayPlan:
         """The last plan of a way one sample later, from the measured state; without one, that which was taken."""
-        situation = self.formulation.situation(self.scene, way, self.measurement, self.memory, self.is_over)
+        situation = self.formulation.situation(self.scene, way, self.measurement, self.memory, self.deadline)
         key = self.memory.key_of(way.passing, self.scene.threats)
         known = self.memory.inputs.get(self.memory.taken if key is None else key)
         nothing = np.zeros((self.formulation.horizon.prediction, N_INPUTS))
@@ -85,18 +107,19 @@ class Planning:
         """The plan of a way beside the first; a spare one gets a single iteration in its turn, and no guesses."""
         plan = self._begin(way)
         if not is_spare:
-            return self._plan(plan, is_new=self._is_new(plan))
-        return improve(plan, 1) if in_turn and not self.is_over() else plan
+            return self._plan(plan)
+        return improve(plan, 1) if in_turn and not self.deadline.is_over else plan
 
-    def _plan(self, plan: WayPlan, *, is_new: bool) -> WayPlan:
+    def _plan(self, plan: WayPlan) -> WayPlan:
         """The plan of one way, from its shifted plan on; where that fails, from the best of the first guesses."""
         settings = self.formulation.settings
-        plan = improve(plan, 0 if is_new else settings.iterations)
+        plan = improve(plan, 0 if self._is_new(plan) else settings.iterations)
         if not _has_faults(plan):
             return plan
         if max(plan.violation, plan.off_road) <= NEARLY:
             return improve(plan, settings.iterations)
-        return improve(replace(plan, step=self._best_guess(plan), trust=1.0), settings.first_iterations)
+        iterations = settings.iterations if plan.way.is_straight else settings.first_iterations
+        return improve(replace(plan, step=self._best_guess(plan), trust=1.0), iterations)
 
     def _best_guess(self, plan: WayPlan) -> Step:
         """The step or the first guess for this way, whichever costs less when it is rolled out."""
@@ -109,10 +132,11 @@ class Planning:
             plan.way,
             situation.program.box.largest,
             formulation.horizon.prediction,
+            formulation.actuation.steers,
         )
         best = plan.step
         for inputs in guesses:
-            if self.is_over():
+            if self.deadline.is_over:
                 break
             best = min(best, situation.roll_out(inputs), key=lambda each: each.merit)
         return best

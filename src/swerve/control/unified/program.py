@@ -1,12 +1,13 @@
 """The convex program of one iteration: all terms and limits, linearised about a trajectory, as one quadratic program.
 
 minimise    sum of the terms' models + sum of penalties over slacks s
-over        z (n,) scaled changes of the free inputs, one slack s >= 0 for each soft limit
+over        z (n,) scaled changes of the free inputs, a slack s >= 0 for each soft limit, a bounded one for its comfort
 subject to  bounds on z, hard rows, soft rows -s <= ... <= +s
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,7 @@ from swerve.qp import Problem, Solution
 
 Array = NDArray[np.float64]
 
+SMALL = 1e-3  # [1/unit^2] curvature of a comfort's price, next to nothing: a solver wants some
 ACTIVE = 1e-6  # [1/m, 1/rad] a multiplier beyond this holds a plan
 
 
@@ -84,53 +86,73 @@ class Program:
 
     def _missed(self, score: Score, kind: type[ObstacleLimit] | type[RoadEdge]) -> float:
         missed = zip(self.soft, score.violations, strict=True)
-        return max((each for limit, each in missed if isinstance(limit, kind)), default=0.0)
+        return max((limit.penalty.missed(each) for limit, each in missed if isinstance(limit, kind)), default=0.0)
 
     def active(self, solution: Solution) -> tuple[str, ...]:
         """The names of the soft limits, each known by its slack, that have a row with a multiplier."""
         rows = np.abs(solution.row_multipliers) > ACTIVE
-        slacks = solution.problem.rows[rows, self.box.blocking.n :] != 0
+        n = self.box.blocking.n
+        slacks = solution.problem.rows[rows, n : n + len(self.soft)] != 0
         return tuple(limit.name for limit, held in zip(self.soft, slacks.any(axis=0), strict=True) if held)
 
     def convex(self, trajectory: Trajectory, sensitivities: Sensitivities, trust: Array) -> Problem:
         """The quadratic program about a trajectory, for changes within `trust` (5,) [rad, N, N, N, N]."""
-        n, n_slacks = self.box.blocking.n, len(self.soft)
+        n, slacks = self.box.blocking.n, self._slacks
+        n_slacks = len(slacks)
         hessian, gradient = np.zeros((n + n_slacks, n + n_slacks)), np.zeros(n + n_slacks)
         for term in self.terms:
             model = term.quadratic(trajectory, sensitivities)
             hessian[:n, :n] += model.hessian
             gradient[:n] += model.gradient
-        for i, limit in enumerate(self.soft, start=n):
-            hessian[i, i], gradient[i] = 2 * limit.penalty.quadratic, limit.penalty.linear
+        for i, slack in enumerate(slacks, start=n):
+            hessian[i, i], gradient[i] = 2 * slack.quadratic, slack.linear
         rows, row_lower, row_upper = self._rows(trajectory, sensitivities)
         lower, upper = self.box.bounds(trajectory, trust)
         return Problem(
             hessian=hessian,
             gradient=gradient,
             lower=np.concatenate([lower, np.zeros(n_slacks)]),
-            upper=np.concatenate([upper, np.full(n_slacks, np.inf)]),
+            upper=np.concatenate([upper, [slack.largest for slack in slacks]]),
             rows=rows,
             row_lower=row_lower,
             row_upper=row_upper,
         )
 
+    @property
+    def _slacks(self) -> list["_Slack"]:
+        """One for each soft limit, then one for each that has a comfort."""
+        penalties = [limit.penalty for limit in self.soft]
+        faults = [_Slack(i, each.linear, each.quadratic, np.inf) for i, each in enumerate(penalties)]
+        comforts = [_Slack(i, each.comfort_price, SMALL, each.comfort) for i, each in enumerate(penalties)]
+        return faults + [slack for slack in comforts if slack.largest > 0]
+
     def _rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
-        """All rows over (z, s); a soft one holds from below with its slack added, from above with it taken away."""
+        """All rows over (z, s); a soft one holds from below with its slacks added, from above with them taken away."""
         hard = [limit.rows(trajectory, sensitivities) for limit in self.hard]
         soft = [_one_sided(limit.rows(trajectory, sensitivities)) for limit in self.soft]
         parts = hard + [part for pair in soft for part in pair]
-        n = self.box.blocking.n
-        matrix = np.zeros((sum(len(part.lower) for part in parts), n + len(self.soft)))
+        n, slacks = self.box.blocking.n, self._slacks
+        matrix = np.zeros((sum(len(part.lower) for part in parts), n + len(slacks)))
         np.concatenate([part.matrix for part in parts], out=matrix[:, :n])
         row = sum(len(part.lower) for part in hard)
-        for slack, (below, above) in enumerate(soft, start=n):
-            matrix[row : row + len(below.lower), slack] = 1.0
+        for i, (below, above) in enumerate(soft):
+            columns = [n + j for j, slack in enumerate(slacks) if slack.limit == i]
+            matrix[row : row + len(below.lower), columns] = 1.0
             row += len(below.lower)
-            matrix[row : row + len(above.lower), slack] = -1.0
+            matrix[row : row + len(above.lower), columns] = -1.0
             row += len(above.lower)
         return Rows(
             matrix, np.concatenate([part.lower for part in parts]), np.concatenate([part.upper for part in parts])
         )
+
+
+class _Slack(NamedTuple):
+    """A slack of the soft limit with this index: its price, linear and quadratic, and its largest value."""
+
+    limit: int
+    linear: float
+    quadratic: float
+    largest: float
 
 
 def _one_sided(rows: Rows) -> tuple[Rows, Rows]:

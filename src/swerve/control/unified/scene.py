@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 
 SHORTEST_LOOK = 3.4  # [s] as far as a plan sees with its tail
 REACTION = 1.5  # [s] that is added to the time of a stop to look for what is in the path
+BESIDE = 6.0  # [m] a swerve may meet what is no further from the path
+LEAVING = 1.5  # [m] what was in the path is so until it is passed with more than that
 STOPPING_GRIP = 0.9  # [1] share of mu g of that stop
 GENTLE = 0.3  # [1] share of mu g with which the vehicle goes to its goal's offset
 STIFFNESS = 4.0  # [1/s^2] of that motion
@@ -34,6 +36,8 @@ class Place:
         friction: mu [1].
         lateral_offset: of the goal [m].
         margin: to obstacles and edges [m].
+        braking: share of full braking that the vehicle's inputs reach [1].
+        turning: share of a steered swerve that they reach [1].
     """
 
     footprint: Footprint
@@ -41,6 +45,8 @@ class Place:
     friction: float
     lateral_offset: float
     margin: float
+    braking: float = 1.0
+    turning: float = 1.0
 
     @property
     def grip(self) -> float:
@@ -70,6 +76,7 @@ class Scene:
         forecasts: of each obstacle.
         natural: how each obstacle is passed by going on; for those in the path it says nothing.
         threats: indices of the obstacles in the path, the first to be met first.
+        companions: indices of those beside it.
     """
 
     place: Place
@@ -78,6 +85,7 @@ class Scene:
     forecasts: tuple[Forecast, ...]
     natural: tuple[Passing, ...]
     threats: tuple[int, ...]
+    companions: tuple[int, ...]
 
     @property
     def speed(self) -> float:
@@ -85,8 +93,16 @@ class Scene:
         return float(np.hypot(self.start[VX], self.start[VY]))
 
 
-def look(place: Place, start: Array, time: float, forecasts: tuple[Forecast, ...], tail: Tail, lines: Lines) -> Scene:
-    """The scene with what is in the path; `lines` are for the pairs of poses of the tail's path."""
+def look(
+    place: Place,
+    start: Array,
+    time: float,
+    forecasts: tuple[Forecast, ...],
+    before: tuple[int, ...],
+    tail: Tail,
+    lines: Lines,
+) -> Scene:
+    """The scene with what is in the path; `before` was in it so far, `lines` are for the pairs of poses of the tail."""
     speed = float(np.hypot(start[VX], start[VY]))
     duration = max(SHORTEST_LOOK, REACTION + speed / (STOPPING_GRIP * place.grip))
     steps = np.full(tail.n_steps, duration / tail.n_steps)
@@ -94,18 +110,20 @@ def look(place: Place, start: Array, time: float, forecasts: tuple[Forecast, ...
     outlook = Outlook(steps, targets, STIFFNESS, GENTLE * place.grip, 0.0)
     poses = np.concatenate([start[np.newaxis, POSE], tail.path(start, outlook)[0]])
     times = time + np.concatenate([[0.0], outlook.times])
-    natural, met = [], {}
+    natural, met, companions = [], {}, []
     for i, forecast in enumerate(forecasts):
         from_centre = poses.copy()
         from_centre[:, :2] -= forecast.position_at(times)
         normals, gaps, _ = lines.between(forecast.shape, forecast.heading, from_centre, ANY)
         gap = gaps.min(axis=1)
-        touching = np.flatnonzero(gap < place.margin)
+        touching = np.flatnonzero(gap < (LEAVING if i in before else place.margin))
         if len(touching):
             met[i] = int(touching[0])
+        elif gap.min() < BESIDE:
+            companions.append(i)
         natural.append(_passing(normals[gap.argmin()], from_centre[0]))
     threats = sorted(met, key=lambda i: (met[i], i))
-    return Scene(place, start, time, forecasts, tuple(natural), tuple(threats))
+    return Scene(place, start, time, forecasts, tuple(natural), tuple(threats), tuple(companions))
 
 
 def _passing(normal: Array, from_centre: Array) -> Passing:

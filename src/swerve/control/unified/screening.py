@@ -56,4 +56,5 @@ def price(scene: Scene, way: Way, outlook: Outlook, tail: Tail, lines: Lines, pr
         missed = max(missed, scene.place.margin - float(gaps.min()))
     lowest, highest = scene.place.room()
     off_road = max(0.0, float(lowest - beyond[:, 1].min()), float(beyond[:, 1].max() - highest))
-    return pricing.tracking(beyond, speeds, outlook.durations, SHORTEST_LOOK) + pricing.miss * missed + OFF_ROAD * off_road
+    tracking = pricing.tracking(beyond, speeds, outlook.durations, SHORTEST_LOOK)
+    return tracking + pricing.miss * missed + OFF_ROAD * off_road

@@ -35,12 +35,14 @@ class Planes(NamedTuple):
         normal: (k, 2) unit vectors from obstacle to footprint, in world axes.
         gap: (k,) left side of the inequality [m].
         turning: (k,) derivative of the gap by the pose's psi [m/rad].
+        smallest: the smallest gap, of both ends of a pair where a line is for a pair [m].
     """
 
     pose: NDArray[np.intp]
     normal: Array
     gap: Array
     turning: Array
+    smallest: float
 
 
 class Separation:
@@ -78,16 +80,15 @@ class Separation:
 
 
 def _joined(near: Planes, far: Planes) -> Planes:
-    return Planes(*(np.concatenate(pair) for pair in zip(near, far, strict=True)))
+    arrays = (np.concatenate(pair) for pair in zip(near[:-1], far[:-1], strict=True))
+    return Planes(*arrays, min(near.smallest, far.smallest))
 
 
 def _of_pairs(normal: Array, gaps: Array, turnings: Array, first: int) -> Planes:
-    """Two half-planes for each pair of poses: for its later one and, but for the sequence's first pose, its earlier."""
-    pair = np.arange(len(normal))
-    later = Planes(pair + first + 1, normal, gaps[:, 1], turnings[:, 1])
-    begin = 0 if first else 1
-    earlier = Planes(pair[begin:] + first, normal[begin:], gaps[begin:, 0], turnings[begin:, 0])
-    return _joined(later, earlier)
+    """A half-plane for the later one of each pair of poses; the very first pose can't be moved and does not count."""
+    later = gaps[:, 1]
+    smallest = min(float(later.min()), float(gaps[0 if first else 1 :, 0].min(initial=np.inf)))
+    return Planes(np.arange(first + 1, first + 1 + len(normal)), normal, later, turnings[:, 1], smallest)
 
 
 def _tangents(heading: float, semi_axes: Array, scaled: Array, poses: Array, passing: Passing) -> Planes:
@@ -105,7 +106,7 @@ def _tangents(heading: float, semi_axes: Array, scaled: Array, poses: Array, pas
     across = _turned(normal, -heading) * semi_axes
     reach = np.hypot(across[:, 0], across[:, 1]) * blown_up
     gap = (normal * poses[1:, :2]).sum(axis=1) - reach
-    return Planes(np.arange(1, len(scaled)), normal, gap, np.zeros(len(gap)))
+    return Planes(np.arange(1, len(scaled)), normal, gap, np.zeros(len(gap)), float(gap.min()))
 
 
 def _to_side(normals: Array, side: int) -> Array:

@@ -14,6 +14,7 @@ class UnifiedSettings:
         clearance_margin: between the footprint and an obstacle, soft [m].
         clearance_penalty: per metre of margin that is missed [1/m].
         clearance_penalty_quadratic: per square metre of it [1/m^2].
+        passing_gap: besides the margin, to an obstacle that it passes, as far as it costs little [m].
         stopping_gap: besides the margin, to an obstacle that it stays behind [m].
         force_weight: on each wheel force, which settles the forces that the cost does not see [1/N^2].
         trust_steering: largest change of a planned steering angle in an iteration [rad].
@@ -30,6 +31,7 @@ class UnifiedSettings:
     clearance_margin: float
     clearance_penalty: float
     clearance_penalty_quadratic: float
+    passing_gap: float
     stopping_gap: float
     force_weight: float
     trust_steering: float

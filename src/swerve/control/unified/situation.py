@@ -1,6 +1,5 @@
 """What the iterations of one way work on: its program, from a start, with what is beyond the horizon."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +7,7 @@ from numpy.typing import NDArray
 
 from swerve.control.unified.acceptance import Step
 from swerve.control.unified.condensing import Sensitivities, condense
+from swerve.control.unified.deadline import ROLL_OUT, Deadline
 from swerve.control.unified.limits import ObstacleLimit
 from swerve.control.unified.prediction import PredictionModel
 from swerve.control.unified.program import Program
@@ -15,6 +15,8 @@ from swerve.control.unified.tail import Outlook, Tail
 from swerve.control.unified.way import Way
 
 Array = NDArray[np.float64]
+
+CLEAR = 5e-3  # [m] a margin missed by less counts as kept
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +33,7 @@ class Situation:
         start: (6,) measured state.
         loads: (4,) wheel loads [N].
         full_trust: (5,) trust region at its largest [rad, N, N, N, N].
-        is_over: whether the step's time is.
+        deadline: of the step.
     """
 
     way: Way
@@ -43,10 +45,11 @@ class Situation:
     start: Array
     loads: Array
     full_trust: Array
-    is_over: Callable[[], bool]
+    deadline: Deadline
 
     def roll_out(self, inputs: Array) -> Step:
         """The step that inputs (Np, 5) make, clipped to what the actuators can do."""
+        self.deadline.count(ROLL_OUT)
         trajectory = self.model.roll_out(self.start, self.program.clip(inputs), self.loads)
         trajectory = trajectory.extended(*self.tail.path(trajectory.states[-1], self.outlook))
         return Step(trajectory, self.program.score(trajectory))
@@ -60,6 +63,11 @@ class Situation:
     def is_near(self, step: Step) -> bool:
         """Whether an obstacle is in reach of a step, so that the way matters."""
         return any(limit.is_near(step.trajectory) for limit in self._obstacles)
+
+    def touched(self, step: Step) -> tuple[int, ...]:
+        """Indices of the obstacles whose margin a step misses."""
+        missed = [limit.penalty.missed(limit.violation(step.trajectory)) for limit in self._obstacles]
+        return tuple(i for i, each in enumerate(missed) if each > CLEAR)
 
     def impact_speed(self, step: Step) -> float | None:
         """Speed relative to the obstacle at the first contact of a step; None without one [m/s]."""

@@ -53,20 +53,23 @@ class Way:
         return Passing.BEHIND in self.decided
 
 
-def ways(natural: Sequence[Passing], threats: Sequence[int]) -> list[Way]:
+def ways(natural: Sequence[Passing], threats: Sequence[int], companions: Sequence[int]) -> list[Way]:
     """All ways that are worth a look, without repetition; a single one where nothing is in the path.
 
     Args:
         natural: how each obstacle is passed by going on as before; of those in the path it does not matter.
         threats: indices of the obstacles in the path, the first to be met first.
+        companions: indices of those beside it, which may be passed on the other side too.
     """
     if not threats:
         return [Way(tuple(natural), ())]
-    found = [Way(passing, tuple(threats)) for passing in _passings(natural, threats)]
+    found = [Way(passing, tuple(threats)) for passing in _passings(natural, threats, companions)]
     return list(dict.fromkeys(found))
 
 
-def _passings(natural: Sequence[Passing], threats: Sequence[int]) -> Iterator[tuple[Passing, ...]]:
+def _passings(
+    natural: Sequence[Passing], threats: Sequence[int], companions: Sequence[int]
+) -> Iterator[tuple[Passing, ...]]:
     sides = (Passing.LEFT, Passing.RIGHT)
     decided = threats[:MOST_DECIDED]
     yield _with(natural, threats, (Passing.BEHIND,) * len(threats))
@@ -74,7 +77,8 @@ def _passings(natural: Sequence[Passing], threats: Sequence[int]) -> Iterator[tu
         rest = (choice[-1],) * (len(threats) - len(decided))
         yield _with(natural, threats, choice + rest)
     for side in sides:
-        yield tuple(side if each is not Passing.BEHIND else each for each in _with(natural, threats, [side] * len(threats)))
+        beside = [i for i in companions if natural[i] is not Passing.BEHIND]
+        yield _with(natural, [*threats, *beside], [side] * (len(threats) + len(beside)))
         if len(threats) > 1:
             yield _with(natural, threats, (side, *(Passing.BEHIND,) * (len(threats) - 1)))
 

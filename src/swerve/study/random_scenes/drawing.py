@@ -1,8 +1,8 @@
 """Random scenes: a scenario for each seed and index, with nothing in it that was chosen by hand.
 
-Speed, friction, footprint, start, road and obstacles are drawn independently. An obstacle is put where the vehicle would
-be near it after a time that is drawn too, so that most scenes are threats; which of them are is decided by geometry
-(`threats.py`), not here.
+Speed, friction, footprint, start, road and obstacles are drawn independently. An obstacle is put where the vehicle
+would be near it after a time that is drawn too, so that most scenes are threats; which of them are is decided by
+geometry (`threats.py`), not here.
 """
 
 from collections.abc import Callable
@@ -42,15 +42,15 @@ def _drawn(seed: int, index: int, draw: Place, name: str) -> Scenario:
     while True:
         speed, friction = random.uniform(*SPEEDS), random.uniform(*FRICTIONS)
         n_obstacles = random.integers(1, MOST_OBSTACLES, endpoint=True)
+        ego = {"speed": speed, "footprint": str(random.choice(["point", "rectangle"]))}
         tables = {
             "name": f"{name}-{seed}-{index}",
             "duration": DURATION,
             "road": {"friction": friction} | _lanes(random),
-            "ego": {"speed": speed, "footprint": str(random.choice(["point", "rectangle"]))},
+            "ego": ego | (_start(random) if draw is _obstacle else {"position": (0.0, 0.0)}),
             "obstacles": [draw(random, speed, friction) for _ in range(n_obstacles)],
             "goal": {"speed": speed, "lateral_offset": 0.0},
         }
-        tables["ego"] |= _start(random) if draw is _obstacle else {"position": (0.0, 0.0)}
         try:
             return Scenario.model_validate(tables)
         except ValidationError:

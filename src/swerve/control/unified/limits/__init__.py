@@ -7,7 +7,6 @@ from swerve.control.unified.limits.obstacle import ObstacleLimit
 from swerve.control.unified.limits.road_edge import RoadEdge
 from swerve.control.unified.limits.slip import SlipLimit
 from swerve.control.unified.limits.steering_rate import SteeringRateLimit
-from swerve.control.unified.limits.stopping_gap import StoppingGap
 
 __all__ = [
     "HardLimit",
@@ -20,5 +19,4 @@ __all__ = [
     "SlipLimit",
     "SoftLimit",
     "SteeringRateLimit",
-    "StoppingGap",
 ]

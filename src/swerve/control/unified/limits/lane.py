@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from swerve.control.unified.condensing import Sensitivities
-from swerve.control.unified.limits.limit import Penalty, Rows
+from swerve.control.unified.limits.limit import Penalty, Rows, nearest
 from swerve.control.unified.prediction import Trajectory
 
 REACH = 0.5  # [m] poses further inside than this are left out of the rows; acceptance sees them all
@@ -44,7 +44,7 @@ class Lane:
         """A row for each pose but the first, with the sides that are in reach."""
         y = trajectory.poses[1:, 1]
         lower, upper = self.lowest - y, self.highest - y
-        near = np.flatnonzero((lower > -REACH) | (upper < REACH))
+        near = nearest(np.minimum(-lower, upper), REACH)
         lower, upper = lower[near], upper[near]
         return Rows(
             sensitivities.poses[near, 1],

@@ -3,7 +3,8 @@
     n . (p_j - c_j) - h(n) - h_ego(-n; psi_j) >= margin        for every half sample j, and beyond the horizon
 
 with p the centre of gravity, c the obstacle's expected centre, h and h_ego the support functions of both shapes. The
-half-plane lies inside the region that is allowed: a plan that keeps the rows keeps clear.
+half-plane lies inside the region that is allowed: a plan that keeps the rows keeps clear. Beyond the margin there is a
+gap for comfort, at a low price: of that is made up for what the prediction gets wrong.
 """
 
 import numpy as np
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from swerve.control.plan import Passing
 from swerve.control.unified.condensing import Sensitivities
 from swerve.control.unified.forecast import Forecast
-from swerve.control.unified.limits.limit import Penalty, Rows
+from swerve.control.unified.limits.limit import Penalty, Rows, nearest
 from swerve.control.unified.prediction import Trajectory
 from swerve.control.unified.separation import Planes, Separation
 
@@ -53,24 +54,21 @@ class ObstacleLimit:
         return self._penalty
 
     def violation(self, trajectory: Trajectory) -> float:
-        """Largest distance by which the margin, less what curvature may take, is missed [m]."""
-        return max(0.0, self.missing(trajectory))
-
-    def missing(self, trajectory: Trajectory) -> float:
-        """By how much the margin, less what curvature may take, is missed; negative where there is more [m]."""
-        return self._margin - SAG - float(self._planes(trajectory).gap.min())
+        """Largest distance by which margin and comfort, less what curvature may take, are missed [m]."""
+        return max(0.0, self._margin + self._penalty.comfort - SAG - self._planes(trajectory).smallest)
 
     def is_near(self, trajectory: Trajectory) -> bool:
         """Whether any pose is within reach, so that `rows` are not empty."""
-        return bool(self._planes(trajectory).gap.min() < REACH)
+        return self._planes(trajectory).smallest < REACH
 
     def rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
         """A row for each half-plane in reach."""
         planes = self._planes(trajectory)
-        near = np.flatnonzero(planes.gap < REACH)
+        near = nearest(planes.gap, REACH)
         direction = np.column_stack([planes.normal[near], planes.turning[near]])
         matrix = (direction[:, np.newaxis] @ sensitivities.poses[planes.pose[near] - 1])[:, 0]
-        return Rows(matrix, self._margin - planes.gap[near], np.full(len(near), np.inf))
+        lower = self._margin + self._penalty.comfort - planes.gap[near]
+        return Rows(matrix, lower, np.full(len(near), np.inf))
 
     def impact(self, trajectory: Trajectory) -> tuple[int, Array] | None:
         """The first pose at which the plan is in contact, and the obstacle's velocity (2,) then; None without one."""

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.control.unified.condensing import Sensitivities
-from swerve.control.unified.limits.limit import Penalty, Rows
-from swerve.control.unified.prediction import Trajectory
 from swerve.control.plan import Side
+from swerve.control.unified.condensing import Sensitivities
+from swerve.control.unified.limits.limit import Penalty, Rows, nearest
+from swerve.control.unified.prediction import Trajectory
 from swerve.world import Footprint, Point
 
 Array = NDArray[np.float64]
@@ -49,7 +49,7 @@ class RoadEdge:
     def rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
         """A row for each pose in reach, but the first, which is measured."""
         gap, turning = self._gaps(trajectory)
-        near = np.flatnonzero(gap < REACH)
+        near = nearest(gap, REACH)
         of_poses = sensitivities.poses[near]
         matrix = turning[near, np.newaxis] * of_poses[:, 2] - self.side.value * of_poses[:, 1]
         return Rows(matrix, self.margin - gap[near], np.full(len(near), np.inf))
@@ -60,8 +60,9 @@ class RoadEdge:
         gap = self.side.value * (self.edge - y)
         if isinstance(self.footprint, Point):
             return gap, np.zeros(len(gap))
-        outwards = self.side.value * np.column_stack([np.sin(psi), np.cos(psi)])  # e_Y in body axes
+        sin, cos = np.sin(psi), np.cos(psi)
         half = np.array([self.footprint.length, self.footprint.width]) / 2
-        corner = np.asarray(self.footprint.centre) + np.sign(outwards) * half
-        along = self.side.value * np.column_stack([np.cos(psi), -np.sin(psi)])
-        return gap - (corner * outwards).sum(axis=1), -(corner * along).sum(axis=1)
+        x = self.footprint.centre[0] + self.side.value * np.sign(sin) * half[0]  # of the corner that is furthest out
+        y = self.footprint.centre[1] + self.side.value * np.sign(cos) * half[1]
+        reach, turning = sin * x + cos * y, cos * x - sin * y
+        return gap - self.side.value * reach, -self.side.value * turning
