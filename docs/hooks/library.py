@@ -27,10 +27,10 @@ target meets the front, 0 % its right end and 100 % its left one.
 
 What is our own: the vehicle but for its body, the centre of gravity 1.9 m behind the front, a friction of 0.9, a lane
 of 3.5 m with a free one on its left, and when it begins: `ccrs` and `ccrm` at a time to collision of 4 s, `ccrb` and
-the lane changes 1 s before the target acts. The controller sees the target from the start. In the cut-ins the gap is such
-that without any reaction the protocol's time to collision is left when the lane change is over, 0 s and 1.5 s; in the
-cut-outs the lead has 3 s to the stationary car when its lane change begins, and the vehicle under test follows it at
-its speed, 1.5 s behind.
+the lane changes 1 s before the target acts. The controller sees the target from the start. In the cut-ins the gap is
+such that without any reaction the time to collision of the protocol is left when the lane change is over, 0 s and 1.5
+s; in the cut-outs the lead has 3 s to the stationary car when its lane change begins, and the vehicle under test
+follows it at its speed, 1.5 s behind.
 """
 
 

@@ -1,11 +1,9 @@
 """What must come out of the library's scenes whose right answer is known."""
 
-from functools import partial
 from typing import Final, NamedTuple
 
 import pytest
 
-from swerve.control.unified import UnifiedController
 from swerve.scenario import FAMILIES, library_names, load
 from swerve.simulate import run
 
@@ -112,13 +110,6 @@ MEMBERS: Final = (
     "cut-out-70-50",
     "cut-out-90-70",
 )
-
-
-@pytest.fixture(autouse=True)
-def _unhurried(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A step takes the time that it needs: the answer is the same on a busy machine."""
-    unhurried = partial(UnifiedController, clock=lambda: 0.0)
-    monkeypatch.setattr("swerve.simulate.assemble.UnifiedController", unhurried)
 
 
 def _case(name: str, plant: str) -> object:

@@ -42,7 +42,7 @@ def _drawn(seed: int, index: int, draw: Place, name: str) -> Scenario:
     while True:
         speed, friction = random.uniform(*SPEEDS), random.uniform(*FRICTIONS)
         n_obstacles = random.integers(1, MOST_OBSTACLES, endpoint=True)
-        ego = {"speed": speed, "footprint": str(random.choice(["point", "rectangle"]))}
+        ego: Keys = {"speed": speed, "footprint": str(random.choice(["point", "rectangle"]))}
         tables = {
             "name": f"{name}-{seed}-{index}",
             "duration": DURATION,

@@ -70,7 +70,7 @@ class Manoeuvre(NamedTuple):
 @cache
 def family() -> Array:
     """All members, the likely ones first: (n, 7) numbers of `Manoeuvre`."""
-    braking = [Manoeuvre(0.0, 0.0, NEVER, 0.0, 0.6, b, b) for b in (0.95, 0.6, 0.3)]
+    braking = Manoeuvre(0.0, 0.0, NEVER, 0.0, 0.6, 0.95, 0.95)
     single = [
         Manoeuvre(t, offset, NEVER, offset, s, b, b)
         for s in reversed(SHARES)
