@@ -18,7 +18,9 @@ import swerve
 from swerve.cli import main
 from swerve.report import ablation_table
 from swerve.scenario import FAMILIES, Scenario, library_names
+from swerve.simulate import Run
 from tests.report.results import ABLATION, RESULT
+from tests.report.runs import made
 
 Outputs = pytest.CaptureFixture[str]
 
@@ -32,14 +34,14 @@ class FakeSimulation:
 
     def __call__(
         self, scenario: Scenario, controller: str, plant: str, seed: int, progress: Callable[[float], None]
-    ) -> SimpleNamespace:
+    ) -> Run:
         """A run that was avoided."""
         if self.interrupt:
             raise self.interrupt
         progress(0.5)
         self.calls.append((scenario, controller, plant, seed))
         names = {"scenario": scenario.name, "controller": controller, "plant": plant, "seed": seed}
-        return SimpleNamespace(result=replace(RESULT, **names))
+        return replace(made(), result=replace(RESULT, **names))
 
 
 @pytest.fixture

@@ -53,9 +53,11 @@ def test_every_command_is_within_the_mode(case: str, is_blinded: bool) -> None:
     assert (done.result.fallback_steps > 0) == is_blinded
     if not is_blinded:
         assert done.result.outcome.value == "avoided"
-    actuation, given = actuation_of(scenario), commands(done)
+    actuation, given = actuation_of(scenario, "planar"), commands(done)
     np.testing.assert_allclose(actuation.within(given, np.full(5, 1e5)), given, rtol=1e-12, atol=1e-9)
-    np.testing.assert_array_equal(given[:, ~actuation.basis.any(axis=1)] - actuation.fixed[~actuation.basis.any(axis=1)], 0)
+    np.testing.assert_array_equal(
+        given[:, ~actuation.basis.any(axis=1)] - actuation.fixed[~actuation.basis.any(axis=1)], 0
+    )
 
 
 def test_steering_alone_avoids_without_any_force() -> None:
@@ -103,7 +105,9 @@ def test_a_failure_is_the_plant_s(plant: str, known: str) -> None:
 def test_being_told_is_worth_it() -> None:
     """Full braking with a wheel that fails unknown turns the vehicle; told of it, the controller stops it straight."""
     failed = (*WALL, "actuation.failed_wheels=['fl']")
-    told, untold = (run(load("paper", (*failed, f"actuation.known={known}")), plant="planar") for known in ("true", "false"))
+    told, untold = (
+        run(load("paper", (*failed, f"actuation.known={known}")), plant="planar") for known in ("true", "false")
+    )
     assert told.result.outcome.value == "avoided"
     assert told.result.max_sideslip < 0.1 < untold.result.max_sideslip
 
@@ -134,7 +138,10 @@ def test_a_controller_of_all_inputs_refuses_a_mode(overrides: tuple[str, ...]) -
         (("actuation.failed_wheels=['fl','fl']",), "actuation.failed_wheels: names fl twice"),
         (("actuation.known=false",), "actuation.known: means nothing without a failure"),
         (("actuation.steering_stuck='40 deg'",), "actuation.steering_stuck: 0.698132 rad is beyond the vehicle's"),
-        (("actuation.mode='steer-only'", "actuation.steering_stuck=0"), "actuation.mode: steer-only with these failures"),
+        (
+            ("actuation.mode='steer-only'", "actuation.steering_stuck=0"),
+            "actuation.mode: steer-only with these",
+        ),
     ],
 )
 def test_settings_that_make_no_sense_are_refused(overrides: tuple[str, ...], message: str) -> None:

@@ -56,7 +56,7 @@ ANSWERS: Final = {
     "slalom": Answer(LEFT),
     "slalom-fast": Answer(LEFT),
     "both-lanes-blocked": Answer(BRAKE),
-    "both-lanes-blocked-late": Answer(BRAKE, impact_speed=16.5),  # 15.3 with the whole friction from the start on
+    "both-lanes-blocked-late": Answer(BRAKE, impact_speed=19.0),  # full braking: 16.3, and 18.2 with lags
     "left-blocked": Answer(RIGHT),
     "right-blocked": Answer(LEFT),
     "wet-motorway": Answer(LEFT),
@@ -69,29 +69,26 @@ ANSWERS: Final = {
     "quiet-overtaken": Answer(QUIET),
     "quiet-following": Answer(QUIET),
 }
-NO_BRAKE: Final = "where no plan is clear the way `brake` swerves and lets go of the brakes in place of a straight stop"
-TURNS: Final = "it waits for the turning car, taken to go straight on, until braking is too late"
-PASSED_TOO_NEAR: Final = (
-    "ccrs-40-il0",
-    "ccrm-80-il50",
-    "ccrm-130-il100",
-    "ccrb-80-il50",
-    "cut-in-50-10",
-    "cut-in-120-70",
-    "cut-out-70-50",
-)
-PASSING: Final = "it touches the target in passing it, where it could have braked"
+STOPS: Final = "full braking would be better than what it does where no plan of it is clear"
+TURNS: Final = "it waits, expecting the car to keep its direction, until braking is too late"
+PASSES: Final = "it touches the car in passing it, where braking alone would do"
+SIDE: Final = "it turns to the free side too late, after the blocked one"
 FAULTS: Final = {  # of the controller, not of the scenes: (scene, plant)
-    ("both-lanes-blocked-late", "planar"): NO_BRAKE,
-    ("both-lanes-blocked-late", "multibody"): NO_BRAKE,
-    ("split-friction", "multibody"): NO_BRAKE,
-    ("pedestrian-obstructed", "multibody"): "the way `brake` finds no stop in 10 m at 30 km/h",
-    ("bicycle-crossing", "multibody"): "it brakes half and steers before the bicycle",
-    ("oncoming-drift", "planar"): TURNS,
+    ("both-lanes-blocked-late", "planar"): STOPS,
+    ("both-lanes-blocked-late", "multibody"): STOPS,
+    ("split-friction", "multibody"): STOPS,
+    ("pedestrian-obstructed", "planar"): STOPS,
+    ("pedestrian-obstructed", "multibody"): STOPS,
     ("oncoming-drift", "multibody"): TURNS,
     ("turns-across", "planar"): TURNS,
     ("turns-across", "multibody"): TURNS,
-    **{(name, "multibody"): PASSING for name in PASSED_TOO_NEAR},
+    ("left-blocked", "multibody"): SIDE,
+    ("right-blocked", "multibody"): SIDE,
+    ("revealed-car", "multibody"): PASSES,
+    ("stopped-car-town", "multibody"): PASSES,
+    ("ccrs-50-il50", "multibody"): PASSES,
+    ("ccrb-50-il100", "multibody"): PASSES,
+    ("cut-in-50-10", "multibody"): PASSES,
 }
 PATCHED: Final = ("split-friction", "ice-patch")  # the planar plant has one friction for all wheels
 QUICK: Final = ("left-blocked", "stopped-car-motorway", "oncoming-overtaker", "slalom")  # beside the paper's own

@@ -3,8 +3,9 @@
     u = fixed + basis v,    lower <= u / largest <= upper
 
 Each input moves with one column of `basis` at most, so bounds on u are bounds on v, one by one. A single brake demand
-(conventional friction brakes) is a column with the static wheel loads: left and right alike, front to rear as
-lr : lf, the ideal share of a slow stop. The wheel that has the least to give then limits all of them.
+(conventional friction brakes) is a column with the wheel loads of a stop at 0.8 g: left and right alike, front to rear
+as lr + 0.8 h : lf - 0.8 h, which is ideal there and leaves the front wheels the first to lock in any milder stop; with
+h = 0, static loads, always ideal. The wheel that has the least to give then limits all of them.
 """
 
 from dataclasses import dataclass
@@ -13,7 +14,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.conventions import DELTA, FORCES, N_INPUTS, N_WHEELS
+from swerve.conventions import DELTA, FORCES, GRAVITY, N_INPUTS, N_WHEELS
 from swerve.vehicle import Vehicle
 from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters
@@ -24,9 +25,11 @@ Array = NDArray[np.float64]
 # paper's vehicle that brakes on one side at 20 m/s 4 m/s^2; the yaw rate takes twice as long as by steering to be there
 VECTORING: Final = 0.4
 
-# [1] share of full braking that a fixed distribution is trusted with: when the load has moved to the front, with
-# h / L = 0.2, the rear wheels limit the demand at lf / (lf + mu h) = 0.7 of it
-FIXED_DISTRIBUTION: Final = 0.7
+DESIGN: Final = 0.8 * GRAVITY  # [m/s^2] deceleration for which brakes of a fixed distribution are designed
+
+# [1] share of full braking that a fixed distribution is trusted with: as long as the load has not moved to the front,
+# the front wheels limit the demand, with h / L = 0.2 at lr / (lr + 0.8 h) = 0.8 of it
+FIXED_DISTRIBUTION: Final = 0.8
 
 
 class _Mode(NamedTuple):
@@ -72,7 +75,7 @@ class Actuation:
         """The inputs of a mode, one of MODES, less what has failed.
 
         Args:
-            vehicle: whose static loads share out a single brake demand.
+            vehicle: whose loads share out a single brake demand; its `cg_height` is h.
             mode: name of it.
             failed_wheels: indices of wheels without torque.
             steering_stuck: angle at which the steering stays, None where it moves [rad].
@@ -80,9 +83,10 @@ class Actuation:
         Raises:
             ValueError: nothing is left to command.
         """
-        has, loads = MODES[mode], np.array(wheel_loads(Parameters.of(vehicle, friction=1.0)))
+        has, parameters = MODES[mode], Parameters.of(vehicle, friction=1.0)
+        loads, shares = np.array(wheel_loads(parameters)), np.array(wheel_loads(parameters, ax=-DESIGN))
         works = np.array([has.forces is not None and wheel not in failed_wheels for wheel in range(N_WHEELS)])
-        forces = np.diag(works) if has.forces != "together" else (works * loads / loads.mean())[:, np.newaxis]
+        forces = np.diag(works) if has.forces != "together" else (works * shares / shares.mean())[:, np.newaxis]
         basis = np.zeros((N_INPUTS, 1 + forces.shape[1]))
         basis[DELTA, 0], basis[FORCES, 1:] = has.steers and steering_stuck is None, forces
         basis = basis[:, basis.any(axis=0)]
@@ -98,7 +102,7 @@ class Actuation:
     @property
     def n_free(self) -> int:
         """m."""
-        return self.basis.shape[1]
+        return int(self.basis.shape[1])
 
     @property
     def steers(self) -> bool:

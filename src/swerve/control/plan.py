@@ -96,4 +96,3 @@ class Plan:
     friction_use: Array = field(default_factory=lambda: np.full(N_WHEELS, np.nan))
     fallback: Fallback | None = None
     solver_failures: int = 0
-

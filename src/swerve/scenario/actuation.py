@@ -34,9 +34,7 @@ class ActuationSettings(Settings):
         steers = self.mode != "brakes-only" and self.steering_stuck is None
         has_forces = self.mode != "steer-only" and len(set(self.failed_wheels)) < len(WHEELS)
         if not (steers or has_forces):
-            raise KeyedError(
-                "mode", f"{self.mode} with these failures leaves nothing to command; leave out a failure"
-            )
+            raise KeyedError("mode", f"{self.mode} with these failures leaves nothing to command; leave out a failure")
         return self
 
     @model_validator(mode="after")

@@ -17,7 +17,7 @@ from swerve.world import Friction
 
 ONE_FRICTION: Final = "the planar plant has one friction for all wheels; take the multibody plant"
 
-ALL_INPUTS: Final = "actuation: the controller as-printed commands all inputs; take unified, or mode all with known = false"
+ALL_INPUTS: Final = "actuation: the controller as-printed commands all inputs; take unified, or leave out what is told"
 
 AXLES_IN_TURN = (
     1.5  # [1] relaxation lengths until a turn is there: the front axle's, and half of the rear one's upon it
@@ -50,11 +50,13 @@ def _shared(scenario: Scenario, plant: str) -> dict[str, Any]:
     }
 
 
-def actuation_of(scenario: Scenario) -> Actuation:
+def actuation_of(scenario: Scenario, plant: str) -> Actuation:
     """The inputs that a controller is told it has: those of the mode, less the failures that are known."""
-    told = scenario.actuation
+    told, vehicle = scenario.actuation, scenario.ego.to_vehicle()
+    if plant == "multibody" and not vehicle.cg_height:
+        vehicle = vehicle.with_changes({"cg_height": completion_of(vehicle.name)[0].cg_height})
     failures = (told.failed, told.steering_stuck) if told.known else ()
-    return Actuation.of(scenario.ego.to_vehicle(), told.mode, *failures)
+    return Actuation.of(vehicle, told.mode, *failures)
 
 
 def _unified(scenario: Scenario, plant: str) -> UnifiedController:
@@ -63,7 +65,7 @@ def _unified(scenario: Scenario, plant: str) -> UnifiedController:
         road=scenario.road.to_world(),
         latency=_latency(scenario, plant),
         settings=UnifiedSettings(**scenario.controller.unified.model_dump()),
-        actuation=actuation_of(scenario),
+        actuation=actuation_of(scenario, plant),
         **_shared(scenario, plant),
     )
     return UnifiedController(formulation)

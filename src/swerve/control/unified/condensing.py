@@ -59,7 +59,7 @@ class Blocking:
 
     def embedding(self) -> Array:
         """(5 Nc, n) from scaled free changes to scaled changes of all inputs, block by block."""
-        return np.kron(np.eye(self.n_blocks), self.actuation.basis)
+        return np.asarray(np.kron(np.eye(self.n_blocks), self.actuation.basis), dtype=np.float64)
 
     def hold(self, inputs: Array) -> Array:
         """Inputs (Np, 5) with the last free one held from there on."""

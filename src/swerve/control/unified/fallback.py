@@ -7,7 +7,8 @@
    a plan ends along its lane, and a car that sees nothing any more is to stop in the direction in which it goes.
 
 When the measurement is usable and only a program is missing, both 2 and 3 are rolled out from the measured state, and 3
-is taken if 2 is not clear any more and 3 misses less of the margin to an obstacle. Whatever it is, it is within what the actuators can do.
+is taken if it is clear of the obstacles and 2 is not; of two that are not, if its impact is milder or it misses less of
+the margin. Whatever it is, it is within what the actuators can do.
 """
 
 from collections.abc import Sequence
@@ -17,11 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control.plan import Fallback, Plan
-from swerve.control.unified.choice import CLEAR
+from swerve.control.unified.acceptance import Step
 from swerve.control.unified.improve import WayPlan
 from swerve.control.unified.memory import Memory, shifted
 from swerve.control.unified.prediction import PredictionModel
 from swerve.control.unified.program import Program
+from swerve.control.unified.situation import CLEAR, Situation
 from swerve.conventions import DELTA, FORCES, N_INPUTS, N_STATES, N_WHEELS
 
 Array = NDArray[np.float64]
@@ -50,7 +52,7 @@ class Ladder:
         failures = sum(plan.n_failed for plan in self.plans)
         inputs, states = self._full_braking()
         last = self.memory.plan
-        if last is None or self._is_used_up or self._is_better(inputs):
+        if last is None or self._is_used_up or self._faults(inputs) < self._faults(self._followed):
             return Plan(time, inputs, states, name="full braking", fallback=reason, solver_failures=failures), 0
         states = last.states[self._samples :]
         of_last = last.side, last.name, last.is_shaped
@@ -96,12 +98,14 @@ class Ladder:
             return None
         return np.asarray(self.memory.plan.states[self._samples])
 
-    def _is_better(self, braking: Array) -> bool:
-        """Whether the followed plan is not clear any more, and full braking is clearer."""
-        missed = self._missing(self._followed)
-        return missed > CLEAR and self._missing(braking) < missed
+    def _faults(self, inputs: Array) -> tuple[bool, float, float]:
+        """How bad inputs are in the way that suits them best: not clear, impact speed [m/s], missed margin [m]."""
+        steps = [(plan.situation, plan.situation.roll_out(inputs)) for plan in self.plans]
+        return min((_faults(situation, step) for situation, step in steps), default=(False, 0.0, 0.0))
 
-    def _missing(self, inputs: Array) -> float:
-        """What inputs miss of the margin to an obstacle, in the way that suits them best; 0 where nothing is known."""
-        missed = [plan.situation.program.missed_clearance(plan.situation.roll_out(inputs).score) for plan in self.plans]
-        return min(missed, default=0.0)
+
+def _faults(situation: Situation, step: Step) -> tuple[bool, float, float]:
+    missed = situation.program.missed_clearance(step.score)
+    if missed <= CLEAR:
+        return False, 0.0, 0.0
+    return True, (situation.impact_speed(step) or 0.0) if step.trajectory.is_finite else np.inf, missed

@@ -59,7 +59,8 @@ class Forecast:
         slows = self.velocity * self.acceleration < 0
         lasting = np.full(2, LASTING)
         lasting[slows] = -self.velocity[slows] / self.acceleration[slows]
-        return np.minimum(elapsed, lasting)
+        changing: Array = np.minimum(elapsed, lasting)
+        return changing
 
 
 def forecasts(stamp: float, seen: Sequence[Observation], before: Sequence[Forecast]) -> tuple[Forecast, ...]:

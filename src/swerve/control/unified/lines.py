@@ -21,6 +21,7 @@ from swerve.world import Ellipse, Footprint, Point, Shape
 Array = NDArray[np.float64]
 
 ANY: Final = 2  # how an obstacle is passed when it does not matter; else the value of a `Passing`
+SMALLEST: Final = 1e-9  # [m] keeps what has no extent from dividing by zero
 OBLIQUE: Final = 0.9  # [1] -n_X of a line for staying behind: what pushes more to a side is no such line
 
 
@@ -64,9 +65,8 @@ def _pair() -> ca.Function:
     """(pose, next pose, [heading, half length and width, is ellipse, footprint's, its centre, passing]) -> line."""
     first, second, p = ca.SX.sym("first", 3), ca.SX.sym("second", 3), ca.SX.sym("p", 9)
     middle = (first + second) / 2
-    best = ca.vertcat(-1, 0)
-    widest = _smaller_gap(_allowed(best, p), first, second, p)
-    best = _allowed(best, p)
+    best = _allowed(_vector(-1, 0), p)
+    widest = _smaller_gap(best, first, second, p)
     for normal in _candidates(middle, p):
         allowed = _allowed(normal, p)
         gap = _smaller_gap(allowed, first, second, p)
@@ -80,13 +80,14 @@ def _candidates(middle: ca.SX, p: ca.SX) -> list[ca.SX]:
     heading, extent = p[0], ca.vertcat(p[1], p[2]) + p[5] + SMALLEST
     away = _turned(middle[:2], -heading) / extent**2
     length = ca.sqrt(ca.sumsqr(away))
-    away = ca.if_else(length > SMALLEST, _turned(away / ca.fmax(length, SMALLEST), heading), ca.vertcat(-1, 0))
-    axes = [ca.vertcat(*axis) for axis in ((1, 0), (0, 1), (-1, 0), (0, -1))]
+    away = ca.if_else(length > SMALLEST, _turned(away / ca.fmax(length, SMALLEST), heading), _vector(-1, 0))
+    axes = [_vector(*axis) for axis in ((1, 0), (0, 1), (-1, 0), (0, -1))]
     turned = [_turned(axis, angle) for angle in (heading, middle[2]) for axis in axes]
     return [away, axes[1], axes[3], *turned]
 
 
-SMALLEST: Final = 1e-9  # [m] keeps what has no extent from dividing by zero
+def _vector(x: int, y: int) -> ca.SX:
+    return ca.SX([x, y])
 
 
 def _allowed(normal: ca.SX, p: ca.SX) -> ca.SX:

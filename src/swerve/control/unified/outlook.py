@@ -19,6 +19,7 @@ from swerve.world import Shape
 Array = NDArray[np.float64]
 
 SWERVING = 0.6  # [1] share of mu g; the rest is the time that a yaw rate takes to build up
+SWERVING_NARROW = 0.45  # [1] the same where the swerve has to be caught at once: the yaw rate has to turn round too
 BRAKING = 0.8  # [1] share of mu g of a straight stop
 BRAKING_IN_A_SWERVE = 0.6  # [1] share of mu g
 GENTLE = 0.3  # [1] share of mu g with which a stop ends a lateral motion
@@ -49,7 +50,9 @@ def outlook(scene: Scene, way: Way, sample_time: float, n_fine: int, n_coarse: i
     times = ahead + np.cumsum(durations)
     if way.is_straight:
         return Outlook(durations, np.zeros_like(durations), 0.0, GENTLE * grip, braking)
-    return Outlook(durations, _targets(scene, way, times), STIFFNESS, scene.place.turning * SWERVING * grip, braking)
+    targets, is_narrow = _targets(scene, way, times)
+    lateral = scene.place.turning * (SWERVING_NARROW if is_narrow else SWERVING) * grip
+    return Outlook(durations, targets, STIFFNESS, lateral, braking)
 
 
 @dataclass(frozen=True)
@@ -63,22 +66,29 @@ class _Meeting:
     is_threat: bool
 
 
-def _targets(scene: Scene, way: Way, times: Array) -> Array:
-    """Lateral target (n,) [m] at times (n,) from the scene's start on."""
+def _targets(scene: Scene, way: Way, times: Array) -> tuple[Array, bool]:
+    """Lateral target (n,) [m] at times (n,) from the scene's start on, and whether there is no room to overshoot it."""
     goal = scene.place.lateral_offset
     meetings = _meetings(scene, way, float(times[-1]))
-    targets = np.full(len(times), goal)
+    targets, is_narrow = np.full(len(times), goal), False
     for meeting in sorted(meetings, key=lambda each: each.ends, reverse=True):
-        targets[times <= meeting.ends] = _target(meeting, meetings, scene, goal)
-    return targets
+        lowest, highest = _room(meeting, meetings, scene)
+        targets[times <= meeting.ends] = _target(meeting, lowest, highest, goal)
+        is_narrow = is_narrow or (meeting.is_threat and highest - lowest < OVERSHOOT)
+    return targets, is_narrow
 
 
-def _target(meeting: _Meeting, meetings: list[_Meeting], scene: Scene, goal: float) -> float:
-    """Where to be when an obstacle is met."""
+def _room(meeting: _Meeting, meetings: list[_Meeting], scene: Scene) -> tuple[float, float]:
+    """Smallest and largest Y that are clear of an obstacle, of those that are met at the same time, and of the edges."""
     beside = [each for each in meetings if each.begins <= meeting.ends and meeting.begins <= each.ends]
     lowest, highest = scene.place.room()
     lowest = max(lowest, *(each.lowest for each in beside))
     highest = min(highest, *(each.highest for each in beside))
+    return lowest, highest
+
+
+def _target(meeting: _Meeting, lowest: float, highest: float, goal: float) -> float:
+    """Where to be when an obstacle is met."""
     if lowest > highest:
         return (lowest + highest) / 2
     further = OVERSHOOT if meeting.is_threat else 0.0

@@ -17,6 +17,7 @@ from swerve.control.unified.way import Way, ways
 from swerve.conventions import N_INPUTS
 from swerve.signals import Measurement
 
+STOPPING = 2.0  # [m/s] a stop that is nearly done is not given up: from so slow nothing is passed within sight
 MOST_PLANNED = 4  # ways in one step
 DIGITS = 5  # of a price that count: mirrored ways cost the same but for rounding
 
@@ -71,9 +72,7 @@ class Planning:
         actuation = self.formulation.actuation
         found = ways(self.scene.natural, self.scene.threats, self.scene.companions)
         possible = [
-            way
-            for way in found
-            if (actuation.braking or not way.brakes) and (actuation.turning or way.side is None)
+            way for way in found if (actuation.braking or not way.brakes) and (actuation.turning or way.side is None)
         ]
         return possible or found
 
@@ -82,6 +81,8 @@ class Planning:
         if len(found) == 1:
             return found
         so_far = next((way for way in found if self._is_committed(way)), None)
+        if so_far is not None and so_far.is_straight and self.scene.speed < STOPPING:
+            return [so_far]
         if so_far is None or len(found) > MOST_PLANNED:
             found = sorted(found, key=lambda way: float(f"{self.formulation.price(self.scene, way):.{DIGITS}g}"))
         first = so_far or found[0]
@@ -95,10 +96,10 @@ class Planning:
         """The last plan of a way one sample later, from the measured state; without one, that which was taken."""
         situation = self.formulation.situation(self.scene, way, self.measurement, self.memory, self.deadline)
         key = self.memory.key_of(way.passing, self.scene.threats)
-        known = self.memory.inputs.get(self.memory.taken if key is None else key)
+        known = self.memory.inputs.get(key or self.memory.taken or ())
         nothing = np.zeros((self.formulation.horizon.prediction, N_INPUTS))
         step = situation.roll_out(nothing if known is None else shifted(known))
-        return WayPlan(situation, step, max(self.memory.trust.get(key, 1.0), TRUST_AFTER_A_STEP))
+        return WayPlan(situation, step, max(self.memory.trust.get(key or (), 1.0), TRUST_AFTER_A_STEP))
 
     def _is_new(self, plan: WayPlan) -> bool:
         return self.memory.key_of(plan.way.passing, self.scene.threats) is None and _has_faults(plan)

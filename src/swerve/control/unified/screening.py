@@ -1,6 +1,6 @@
 """Which ways are worth a plan: each is driven by the point mass alone, from the start on, and priced.
 
-    tracking cost of the path + price of what it misses of the margin to an obstacle, and of the road
+tracking cost of the path + price of what it misses of the margin to an obstacle, and of the road
 """
 
 from dataclasses import dataclass

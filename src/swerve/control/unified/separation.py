@@ -80,8 +80,8 @@ class Separation:
 
 
 def _joined(near: Planes, far: Planes) -> Planes:
-    arrays = (np.concatenate(pair) for pair in zip(near[:-1], far[:-1], strict=True))
-    return Planes(*arrays, min(near.smallest, far.smallest))
+    pose, normal, gap, turning = (np.concatenate(pair) for pair in zip(near[:4], far[:4], strict=True))
+    return Planes(pose, normal, gap, turning, min(near.smallest, far.smallest))
 
 
 def _of_pairs(normal: Array, gaps: Array, turnings: Array, first: int) -> Planes:

@@ -1,6 +1,6 @@
 """The whole footprint stays on the road: for each pose j, with e_Y the world's lateral axis,
 
-    right edge + margin <= Y_j - h_ego(-e_Y; psi_j),    Y_j + h_ego(e_Y; psi_j) <= left edge - margin
+right edge + margin <= Y_j - h_ego(-e_Y; psi_j),    Y_j + h_ego(e_Y; psi_j) <= left edge - margin
 """
 
 from dataclasses import dataclass
