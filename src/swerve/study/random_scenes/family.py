@@ -89,7 +89,7 @@ class RollOut:
 
     def __init__(self, duration: float) -> None:
         """Compile, or take from the cache, the roll-out over `duration` [s]."""
-        self.times: Array = STEP * np.arange(round(duration / STEP) + 1)
+        self.times: Array = np.linspace(0.0, duration, round(duration / STEP) + 1)
         self._kernel = Kernel(_batch(len(self.times) - 1))
 
     def __call__(self, members: Array, start: Array, vehicle: Vehicle, friction: float) -> Array:

@@ -75,7 +75,7 @@ class _Surroundings:
         """Of each motion (n, len(times), 6) whether it is, at every so-manyth time."""
         shown = states[:, ::every]
         n = len(shown)
-        clear: NDArray[np.bool_] = np.isfinite(shown).all(axis=(1, 2))
+        clear: NDArray[np.bool_] = np.asarray(np.isfinite(shown).all(axis=(1, 2)))
         clear &= (np.abs(sideslip(shown.reshape(-1, shown.shape[2]))) < SPIN_SIDESLIP).reshape(n, -1).all(axis=1)
         poses = shown[..., POSE].reshape(-1, 3)
         clear &= self.road.is_inside(self.footprint, poses).reshape(n, -1).all(axis=1)
