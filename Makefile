@@ -9,7 +9,7 @@ PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test lint bench numbers pictures docs clean
+.PHONY: help demo test lint bench numbers library pictures docs clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST) | expand -t 14
@@ -33,6 +33,9 @@ numbers: $(VENV)/.installed ## measure the tables and figures that the documenta
 	$(BIN)/swerve reproduce --out build/paper
 	mkdir -p docs/measured
 	cp build/paper/*.md build/paper/*.png docs/measured/
+
+library: $(VENV)/.installed ## write the documentation's page of the scenario library
+	$(BIN)/python docs/hooks/library.py > docs/library.md
 
 pictures: $(VENV)/.installed-dev $(VENV)/.browser ## photograph a run's report for the documentation
 	$(BIN)/swerve run paper --out build/pictures

@@ -160,15 +160,17 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _scenarios(options: argparse.Namespace) -> int:
-    from swerve.scenario import library_names, load
+    from swerve.scenario import FAMILIES, library_names, load
 
     library = [load(name) for name in library_names()]
     if options.json:
+        library += [load(name) for family in FAMILIES for name in family.members]
         print(json.dumps([each.model_dump(include={"name", "description", "source"}) for each in library]))
         return 0
-    width = max(len(each.name) for each in library)
-    for each in library:
-        print(f"{each.name:{width}}  {each.description}")
+    lines = [(each.name, each.description) for each in library]
+    lines += [(family.pattern, f"{family.title}: {family.ranges}") for family in FAMILIES]
+    width = max(len(name) for name, _ in lines)
+    print("\n".join(f"{name:{width}}  {description}" for name, description in lines))
     return 0
 
 
