@@ -1,4 +1,5 @@
-"""Which way is taken: clear before not clear, on the road before off it, then the cheaper one; and no dithering.
+"""Which way is taken: clear before not clear, on the road before off it, in its lane before out of it, then the cheaper
+one; and no dithering.
 
 Where no way is clear, the one with the least impact speed, weighed by how much it misses: a collision that can't be
 avoided is to be a mild one, and one that nearly can be is better tried.
@@ -26,21 +27,23 @@ class Candidate:
         plan: of one way.
         cost: of it, horizon and beyond [1].
         impact_speed: relative to the obstacle, None where nothing is touched [m/s].
+        leaves_lane: whether the path does.
     """
 
     plan: WayPlan
     cost: float
     impact_speed: float | None
+    leaves_lane: bool = False
 
     @property
-    def faults(self) -> tuple[bool, bool]:
-        """Whether it is not clear, and whether it leaves the road: the first is worse."""
-        return self.plan.violation > CLEAR, self.plan.off_road > ON_ROAD
+    def faults(self) -> tuple[bool, bool, bool]:
+        """Whether it is not clear, whether it leaves the road, and whether the lane: the worst one first."""
+        return self.plan.violation > CLEAR, self.plan.off_road > ON_ROAD, self.leaves_lane
 
     @property
-    def grave_faults(self) -> tuple[bool, bool]:
-        """The same, but for what the next steps may still mend."""
-        return self.plan.violation > NEARLY, self.plan.off_road > NEARLY
+    def grave_faults(self) -> tuple[bool, bool, bool]:
+        """The same, but for what the next steps may still mend, and for a lane that was left for good reason."""
+        return self.plan.violation > NEARLY, self.plan.off_road > NEARLY, False
 
     @property
     def severity(self) -> float:
@@ -48,7 +51,8 @@ class Candidate:
         if not isfinite(self.plan.violation):
             return inf
         speed = 0.0 if self.impact_speed is None else self.impact_speed
-        return speed * min(1.0, self.plan.violation / HOPELESS)
+        hopeless = self.plan.situation.outlook.is_blocked
+        return speed if hopeless else speed * min(1.0, self.plan.violation / HOPELESS)
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,6 +22,7 @@ from swerve.control.unified.memory import Memory, is_same, shifted
 from swerve.control.unified.planning import Planning
 from swerve.control.unified.scene import Scene
 from swerve.control.unified.situation import CLEAR
+from swerve.conventions import Y
 from swerve.signals import Command, Measurement
 from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters
@@ -72,7 +73,7 @@ class UnifiedController(Controller[Memory]):
     def _take(self, scene: Scene, plans: list[WayPlan], measurement: Measurement, memory: Memory) -> Answer:
         """The best plan as command, and what the next step is to know."""
         formulation = self._formulation
-        candidates = [self._candidate(plan) for plan in plans]
+        candidates = [self._candidate(scene, plan) for plan in plans]
         so_far = (each for each in candidates if is_same(memory.committed, each.plan.way.passing, scene.threats))
         committed = next(so_far, None) if memory.committed is not None else None
         choice = choose(candidates, committed, formulation.settings.commitment)
@@ -94,9 +95,12 @@ class UnifiedController(Controller[Memory]):
         )
         return Command.from_input(plan.inputs[0]), plan, after
 
-    def _candidate(self, plan: WayPlan) -> Candidate:
+    def _candidate(self, scene: Scene, plan: WayPlan) -> Candidate:
         impact_speed = plan.situation.impact_speed(plan.step) if plan.violation > CLEAR else None
-        return Candidate(plan, self._formulation.total(plan), impact_speed)
+        y = plan.step.trajectory.poses[:, 1]
+        lowest, highest = scene.place.lanes(float(scene.start[Y]))
+        leaves_lane = bool((y < lowest).any() or (y > highest).any())
+        return Candidate(plan, self._formulation.total(plan), impact_speed, leaves_lane)
 
     def _unusable(self, measurement: Measurement) -> Fallback | None:
         """Why a measurement can't be planned from, if it can't."""

@@ -52,6 +52,7 @@ N_COARSE = 16  # steps of the tail that are larger than a sample
 CALM = 0.25  # [1] share of the slip angle that a straight stop may take; changes of steering cost 1 / share^4 as much
 LANE_KEPT = 0.1  # [m] to each side by which a stop may leave its line
 LANE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of more than that
+TIMING = 0.15  # [s] by which an obstacle that crosses may come earlier or later: so much wider is the gap beside it
 PASSING = 1e3  # [1/m] of a gap that is missed beside an obstacle
 STOPPING = 2e3  # [1/m] of one that is missed behind it: more than a standing vehicle gains by creeping on
 EDGE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of what is off the road: less than of a collision, more than of a slide
@@ -153,9 +154,11 @@ class Formulation:
 
     def _obstacle(self, scene: Scene, way: Way, index: int, times: Array) -> ObstacleLimit:
         """The limit for one obstacle."""
-        passing, margin = way.passing[index], self.place.margin
-        penalty = self._behind if passing is Passing.BEHIND else self._beside
-        return ObstacleLimit(index, scene.forecasts[index], times, self._separation, passing, margin, penalty)
+        forecast, passing, margin = scene.forecasts[index], way.passing[index], self.place.margin
+        crossing = TIMING * abs(float(forecast.velocity[1]))
+        beside = replace(self._beside, comfort=self.settings.passing_gap + crossing)
+        penalty = self._behind if passing is Passing.BEHIND else beside
+        return ObstacleLimit(index, forecast, times, self._separation, passing, margin, penalty)
 
     def _calmness(self, weights: Weights, share: float) -> "_Calmness":
         rates = np.array([weights.steering_rate / share**4] + 4 * [weights.force_rate])

@@ -50,9 +50,9 @@ def outlook(scene: Scene, way: Way, sample_time: float, n_fine: int, n_coarse: i
     times = ahead + np.cumsum(durations)
     if way.is_straight:
         return Outlook(durations, np.zeros_like(durations), 0.0, GENTLE * grip, braking)
-    targets, is_narrow = _targets(scene, way, times)
-    lateral = scene.place.turning * (SWERVING_NARROW if is_narrow else SWERVING) * grip
-    return Outlook(durations, targets, STIFFNESS, lateral, braking)
+    targets, room = _targets(scene, way, times)
+    lateral = scene.place.turning * (SWERVING_NARROW if room < OVERSHOOT else SWERVING) * grip
+    return Outlook(durations, targets, STIFFNESS, lateral, braking, is_blocked=room < -2 * scene.place.margin)
 
 
 @dataclass(frozen=True)
@@ -66,16 +66,17 @@ class _Meeting:
     is_threat: bool
 
 
-def _targets(scene: Scene, way: Way, times: Array) -> tuple[Array, bool]:
-    """Lateral target (n,) [m] at times (n,) from the scene's start on, and whether there is no room to overshoot it."""
+def _targets(scene: Scene, way: Way, times: Array) -> tuple[Array, float]:
+    """Lateral target (n,) [m] at times (n,) from the scene's start on, and the least room to overshoot it [m]."""
     goal = scene.place.lateral_offset
     meetings = _meetings(scene, way, float(times[-1]))
-    targets, is_narrow = np.full(len(times), goal), False
+    targets, room = np.full(len(times), goal), np.inf
     for meeting in sorted(meetings, key=lambda each: each.ends, reverse=True):
         lowest, highest = _room(meeting, meetings, scene)
         targets[times <= meeting.ends] = _target(meeting, lowest, highest, goal)
-        is_narrow = is_narrow or (meeting.is_threat and highest - lowest < OVERSHOOT)
-    return targets, is_narrow
+        if meeting.is_threat:
+            room = min(room, highest - lowest)
+    return targets, float(room)
 
 
 def _room(meeting: _Meeting, meetings: list[_Meeting], scene: Scene) -> tuple[float, float]:

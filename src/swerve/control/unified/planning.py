@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from swerve.control.unified.acceptance import Step
 from swerve.control.unified.choice import NEARLY, ON_ROAD
@@ -18,6 +19,8 @@ from swerve.conventions import N_INPUTS
 from swerve.signals import Measurement
 
 STOPPING = 2.0  # [m/s] a stop that is nearly done is not given up: from so slow nothing is passed within sight
+Array = NDArray[np.float64]
+
 MOST_PLANNED = 4  # ways in one step
 DIGITS = 5  # of a price that count: mirrored ways cost the same but for rounding
 
@@ -119,13 +122,29 @@ class Planning:
             return plan
         if max(plan.violation, plan.off_road) <= NEARLY:
             return improve(plan, settings.iterations)
-        iterations = settings.iterations if plan.way.is_straight else settings.first_iterations
-        return improve(replace(plan, step=self._best_guess(plan), trust=1.0), iterations)
+        if plan.way.is_straight:
+            return self._mildest(plan)
+        return improve(replace(plan, step=self._best_guess(plan), trust=1.0), settings.first_iterations)
+
+    def _mildest(self, plan: WayPlan) -> WayPlan:
+        """The stop with the least impact speed, of the plan itself and the first guesses, as none is in time."""
+        steps = [plan.step, *map(plan.situation.roll_out, self._guesses(plan))]
+        impacts = [plan.situation.impact_speed(step) for step in steps]
+        mildest = min(range(len(steps)), key=lambda i: (impacts[i] is not None, impacts[i] or 0.0))
+        return replace(plan, step=steps[mildest])
 
     def _best_guess(self, plan: WayPlan) -> Step:
         """The step or the first guess for this way, whichever costs less when it is rolled out."""
+        best = plan.step
+        for inputs in self._guesses(plan):
+            if self.deadline.is_over:
+                break
+            best = min(best, plan.situation.roll_out(inputs), key=lambda each: each.merit)
+        return best
+
+    def _guesses(self, plan: WayPlan) -> list[Array]:
         situation, formulation = plan.situation, self.formulation
-        guesses = seeds(
+        return seeds(
             formulation.vehicle,
             formulation.place.friction,
             formulation.settings.slip_limit,
@@ -135,12 +154,6 @@ class Planning:
             formulation.horizon.prediction,
             formulation.actuation.steers,
         )
-        best = plan.step
-        for inputs in guesses:
-            if self.deadline.is_over:
-                break
-            best = min(best, situation.roll_out(inputs), key=lambda each: each.merit)
-        return best
 
 
 def _has_faults(plan: WayPlan) -> bool:

@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 
 SHORTEST_LOOK = 3.4  # [s] as far as a plan sees with its tail
 REACTION = 1.5  # [s] that is added to the time of a stop to look for what is in the path
+LANE_LEFT = 0.3  # [m] beyond a lane's line that leaves the lane
 BESIDE = 6.0  # [m] a swerve may meet what is no further from the path
 LEAVING = 1.5  # [m] what was in the path is so until it is passed with more than that
 STOPPING_GRIP = 0.9  # [1] share of mu g of that stop
@@ -63,6 +64,16 @@ class Place:
         lowest = -np.inf if right is None else right + self.reach(Side.RIGHT) + self.margin
         highest = np.inf if left is None else left - self.reach(Side.LEFT) - self.margin
         return lowest, highest
+
+
+    def lanes(self, y: float) -> tuple[float, float]:
+        """Smallest and largest Y of the centre of gravity in the lanes of `y` and of the goal; infinite without lanes."""
+        width = self.road.lane_width
+        if width is None:
+            return -np.inf, np.inf
+        middles = [width * round(each / width) for each in (y, self.lateral_offset)]
+        room = width / 2 + LANE_LEFT
+        return min(middles) - room + self.reach(Side.RIGHT), max(middles) + room - self.reach(Side.LEFT)
 
 
 @dataclass(frozen=True, eq=False)

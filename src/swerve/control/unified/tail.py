@@ -39,6 +39,7 @@ class Outlook:
         stiffness: w^2 of the steering; 0 only ends the lateral motion [1/s^2].
         lateral: a, largest lateral acceleration [m/s^2].
         braking: b, deceleration [m/s^2].
+        is_blocked: whether there is no room where it steers: something stands on both sides, and too close.
     """
 
     durations: Array
@@ -46,6 +47,7 @@ class Outlook:
     stiffness: float
     lateral: float
     braking: float
+    is_blocked: bool = False
 
     @property
     def times(self) -> Array:
