@@ -19,6 +19,9 @@ HOPELESS = 0.5  # [m] of margin missed from which on nothing can be mended
 MILDER = 0.5  # [m/s] by which an impact must be milder to be worth another way
 
 
+FAULTS = ("touches an obstacle", "leaves the road", "leaves the lane")
+
+
 @dataclass(frozen=True, eq=False)
 class Candidate:
     """A plan that may be taken.
@@ -28,12 +31,14 @@ class Candidate:
         cost: of it, horizon and beyond [1].
         impact_speed: relative to the obstacle, None where nothing is touched [m/s].
         leaves_lane: whether the path does.
+        is_leaving: whether the vehicle is about to: then it is too late to stay.
     """
 
     plan: WayPlan
     cost: float
     impact_speed: float | None
     leaves_lane: bool = False
+    is_leaving: bool = False
 
     @property
     def faults(self) -> tuple[bool, bool, bool]:
@@ -42,8 +47,8 @@ class Candidate:
 
     @property
     def grave_faults(self) -> tuple[bool, bool, bool]:
-        """The same, but for what the next steps may still mend, and for a lane that was left for good reason."""
-        return self.plan.violation > NEARLY, self.plan.off_road > NEARLY, False
+        """The same, but for what the next steps may still mend, and for a lane that is being left already."""
+        return self.plan.violation > NEARLY, self.plan.off_road > NEARLY, self.leaves_lane and not self.is_leaving
 
     @property
     def severity(self) -> float:
@@ -79,7 +84,7 @@ def choose(candidates: Sequence[Candidate], committed: Candidate | None, commitm
     if committed is None or best is committed:
         return Choice(best, _why(best, candidates))
     if best.faults < committed.grave_faults:
-        what = "touches an obstacle" if committed.grave_faults[0] else "leaves the road"
+        what = FAULTS[committed.grave_faults.index(True)]
         return Choice(best, f"the way so far, {committed.plan.way.name}, {what}")
     if best.faults <= committed.faults and _is_much_cheaper(best, committed, commitment):
         return Choice(best, f"costs less than {commitment:.0%} of the way so far, {committed.plan.way.name}")

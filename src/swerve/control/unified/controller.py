@@ -22,7 +22,6 @@ from swerve.control.unified.memory import Memory, is_same, shifted
 from swerve.control.unified.planning import Planning
 from swerve.control.unified.scene import Scene
 from swerve.control.unified.situation import CLEAR
-from swerve.conventions import Y
 from swerve.signals import Command, Measurement
 from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters
@@ -97,10 +96,8 @@ class UnifiedController(Controller[Memory]):
 
     def _candidate(self, scene: Scene, plan: WayPlan) -> Candidate:
         impact_speed = plan.situation.impact_speed(plan.step) if plan.violation > CLEAR else None
-        y = plan.step.trajectory.poses[:, 1]
-        lowest, highest = scene.place.lanes(float(scene.start[Y]))
-        leaves_lane = bool((y < lowest).any() or (y > highest).any())
-        return Candidate(plan, self._formulation.total(plan), impact_speed, leaves_lane)
+        leaves_lane = scene.leaves_lane(plan.step.trajectory.poses)
+        return Candidate(plan, self._formulation.total(plan), impact_speed, leaves_lane, scene.is_leaving)
 
     def _unusable(self, measurement: Measurement) -> Fallback | None:
         """Why a measurement can't be planned from, if it can't."""

@@ -52,6 +52,7 @@ N_COARSE = 16  # steps of the tail that are larger than a sample
 CALM = 0.25  # [1] share of the slip angle that a straight stop may take; changes of steering cost 1 / share^4 as much
 LANE_KEPT = 0.1  # [m] to each side by which a stop may leave its line
 LANE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of more than that
+GROWTH = 1.0  # [1/s] of the gap beside an obstacle, with foresight: what a prediction gets wrong grows so
 TIMING = 0.15  # [s] by which an obstacle that crosses may come earlier or later: so much wider is the gap beside it
 PASSING = 1e3  # [1/m] of a gap that is missed beside an obstacle
 STOPPING = 2e3  # [1/m] of one that is missed behind it: more than a standing vehicle gains by creeping on
@@ -157,8 +158,8 @@ class Formulation:
         forecast, passing, margin = scene.forecasts[index], way.passing[index], self.place.margin
         crossing = TIMING * abs(float(forecast.velocity[1]))
         beside = replace(self._beside, comfort=self.settings.passing_gap + crossing)
-        penalty = self._behind if passing is Passing.BEHIND else beside
-        return ObstacleLimit(index, forecast, times, self._separation, passing, margin, penalty)
+        penalty, growth = (self._behind, 0.0) if passing is Passing.BEHIND else (beside, GROWTH)
+        return ObstacleLimit(index, forecast, times, self._separation, passing, margin, penalty, growth)
 
     def _calmness(self, weights: Weights, share: float) -> "_Calmness":
         rates = np.array([weights.steering_rate / share**4] + 4 * [weights.force_rate])

@@ -106,7 +106,7 @@ class Program:
             gradient[:n] += model.gradient
         for i, slack in enumerate(slacks, start=n):
             hessian[i, i], gradient[i] = 2 * slack.quadratic, slack.linear
-        rows, row_lower, row_upper = self._rows(trajectory, sensitivities)
+        rows, row_lower, row_upper, _ = self._rows(trajectory, sensitivities)
         lower, upper = self.box.bounds(trajectory, trust)
         return Problem(
             hessian=hessian,
@@ -135,12 +135,13 @@ class Program:
         matrix = np.zeros((sum(len(part.lower) for part in parts), n + len(slacks)))
         np.concatenate([part.matrix for part in parts], out=matrix[:, :n])
         row = sum(len(part.lower) for part in hard)
-        for i, (below, above) in enumerate(soft):
-            columns = [n + j for j, slack in enumerate(slacks) if slack.limit == i]
-            matrix[row : row + len(below.lower), columns] = 1.0
-            row += len(below.lower)
-            matrix[row : row + len(above.lower), columns] = -1.0
-            row += len(above.lower)
+        for i, pair in enumerate(soft):
+            comforts = [n + j for j, slack in enumerate(slacks) if slack.limit == i and j >= len(soft)]
+            for part, sign in zip(pair, (1.0, -1.0), strict=True):
+                of_part = slice(row, row + len(part.lower))
+                matrix[of_part, n + i] = sign if part.weight is None else sign * part.weight
+                matrix[of_part, comforts] = sign
+                row = of_part.stop
         return Rows(
             matrix, np.concatenate([part.lower for part in parts]), np.concatenate([part.upper for part in parts])
         )
@@ -158,8 +159,9 @@ class _Slack(NamedTuple):
 def _one_sided(rows: Rows) -> tuple[Rows, Rows]:
     """The rows that hold from below, and those that hold from above; a side that is infinite is left out."""
     below, above = np.isfinite(rows.lower), np.isfinite(rows.upper)
+    of_below, of_above = (None if rows.weight is None else rows.weight[side] for side in (below, above))
     n_below, n_above = np.count_nonzero(below), np.count_nonzero(above)
     return (
-        Rows(rows.matrix[below], rows.lower[below], np.full(n_below, np.inf)),
-        Rows(rows.matrix[above], np.full(n_above, -np.inf), rows.upper[above]),
+        Rows(rows.matrix[below], rows.lower[below], np.full(n_below, np.inf), of_below),
+        Rows(rows.matrix[above], np.full(n_above, -np.inf), rows.upper[above], of_above),
     )

@@ -12,13 +12,14 @@ from swerve.control.plan import Passing, Side
 from swerve.control.unified.forecast import Forecast
 from swerve.control.unified.lines import ANY, Lines
 from swerve.control.unified.tail import Outlook, Tail
-from swerve.conventions import GRAVITY, POSE, VX, VY
+from swerve.conventions import GRAVITY, POSE, PSI, VX, VY, Y
 from swerve.world import Footprint, Road
 
 Array = NDArray[np.float64]
 
 SHORTEST_LOOK = 3.4  # [s] as far as a plan sees with its tail
 REACTION = 1.5  # [s] that is added to the time of a stop to look for what is in the path
+LEAVING_SPEED = 0.7  # [m/s] sideways
 LANE_LEFT = 0.3  # [m] beyond a lane's line that leaves the lane
 BESIDE = 6.0  # [m] a swerve may meet what is no further from the path
 LEAVING = 1.5  # [m] what was in the path is so until it is passed with more than that
@@ -67,7 +68,7 @@ class Place:
 
 
     def lanes(self, y: float) -> tuple[float, float]:
-        """Smallest and largest Y of the centre of gravity in the lanes of `y` and of the goal; infinite without lanes."""
+        """Smallest and largest Y of the centre of gravity in the lanes of `y` and the goal; infinite without lanes."""
         width = self.road.lane_width
         if width is None:
             return -np.inf, np.inf
@@ -97,6 +98,17 @@ class Scene:
     natural: tuple[Passing, ...]
     threats: tuple[int, ...]
     companions: tuple[int, ...]
+
+    def leaves_lane(self, poses: Array) -> bool:
+        """Whether a path (n, 3) does."""
+        lowest, highest = self.place.lanes(float(self.start[Y]))
+        return bool((poses[:, 1] < lowest).any() or (poses[:, 1] > highest).any())
+
+    @property
+    def is_leaving(self) -> bool:
+        """Whether the vehicle moves sideways too fast to be said to stay in its lane."""
+        sideways = np.sin(self.start[PSI]) * self.start[VX] + np.cos(self.start[PSI]) * self.start[VY]
+        return bool(abs(sideways) > LEAVING_SPEED)
 
     @property
     def speed(self) -> float:

@@ -17,6 +17,7 @@ from swerve.conventions import POSE
 
 Array = NDArray[np.float64]
 
+OFF_LANE = 2e4  # [1] price of leaving the lane
 OFF_ROAD = 5e3  # [1/m] price of the largest distance off the road
 
 
@@ -56,5 +57,6 @@ def price(scene: Scene, way: Way, outlook: Outlook, tail: Tail, lines: Lines, pr
         missed = max(missed, scene.place.margin - float(gaps.min()))
     lowest, highest = scene.place.room()
     off_road = max(0.0, float(lowest - beyond[:, 1].min()), float(beyond[:, 1].max() - highest))
+    off_lane = OFF_LANE if scene.leaves_lane(poses) else 0.0
     tracking = pricing.tracking(beyond, speeds, outlook.durations, SHORTEST_LOOK)
-    return tracking + pricing.miss * missed + OFF_ROAD * off_road
+    return tracking + pricing.miss * missed + OFF_ROAD * off_road + off_lane

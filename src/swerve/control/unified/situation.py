@@ -70,12 +70,13 @@ class Situation:
         return tuple(i for i, each in enumerate(missed) if each > CLEAR)
 
     def impact_speed(self, step: Step) -> float | None:
-        """Speed relative to the obstacle at the first contact of a step; None without one [m/s]."""
+        """Largest speed relative to an obstacle at a step's first contact with it; None without one [m/s]."""
         impacts = [limit.impact(step.trajectory) for limit in self._obstacles]
-        first = min((impact for impact in impacts if impact is not None), key=lambda impact: impact[0], default=None)
-        if first is None:
-            return None
-        pose, velocity = first
+        speeds = [self._relative_speed(step, *impact) for impact in impacts if impact is not None]
+        return max(speeds, default=None)
+
+    def _relative_speed(self, step: Step, pose: int, velocity: Array) -> float:
+        """Speed of the vehicle at a pose, relative to a velocity (2,) [m/s]."""
         moved = step.trajectory.poses[pose, :2] - step.trajectory.poses[pose - 1, :2]
         return float(np.linalg.norm(moved / (self.times[pose] - self.times[pose - 1]) - velocity))
 

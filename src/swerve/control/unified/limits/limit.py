@@ -17,11 +17,15 @@ MOST_ROWS = 40  # of one limit; a solver's time grows with their number, and few
 
 
 class Rows(NamedTuple):
-    """lower <= matrix z <= upper for scaled changes z (n,): shapes (m, n), (m,), (m,); unit of the limit."""
+    """lower <= matrix z <= upper for scaled changes z (n,): shapes (m, n), (m,), (m,); unit of the limit.
+
+    `weight` (m,) is how much of the slack for faults counts in each row; None for all of it.
+    """
 
     matrix: Array
     lower: Array
     upper: Array
+    weight: Array | None = None
 
 
 def nearest(gap: Array, reach: float) -> NDArray[np.intp]:

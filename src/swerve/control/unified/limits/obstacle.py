@@ -4,7 +4,7 @@
 
 with p the centre of gravity, c the obstacle's expected centre, h and h_ego the support functions of both shapes. The
 half-plane lies inside the region that is allowed: a plan that keeps the rows keeps clear. Beyond the margin there is a
-gap for comfort, at a low price: of that is made up for what the prediction gets wrong.
+gap for comfort, at a low price, that grows with foresight: of it is made up for what the prediction gets wrong.
 """
 
 import numpy as np
@@ -35,11 +35,16 @@ class ObstacleLimit:
         passing: Passing,
         margin: float,
         penalty: Penalty,
+        growth: float,
     ) -> None:
-        """Obstacle `index`; times (n_poses,) [s] are those of the trajectory's poses, on the controller's clock."""
+        """Obstacle `index`; times (n_poses,) [s] are those of the trajectory's poses, on the controller's clock.
+
+        `growth` is by how much of itself the gap for comfort grows in a second of foresight [1/s].
+        """
         self._name = f"obstacle {index}"
         self._penalty, self._passing, self._margin = penalty, passing, margin
         self._forecast, self._separation, self._times = forecast, separation, times
+        self._share = 1 / (1 + growth * (times[1:] - times[0]))
         self._centres = forecast.position_at(times)
         self._last: tuple[Trajectory, Planes] | None = None
 
@@ -54,8 +59,12 @@ class ObstacleLimit:
         return self._penalty
 
     def violation(self, trajectory: Trajectory) -> float:
-        """Largest distance by which margin and comfort, less what curvature may take, are missed [m]."""
-        return max(0.0, self._margin + self._penalty.comfort - SAG - self._smallest(trajectory))
+        """Largest distance by which margin and comfort, less what curvature may take, are missed [m].
+
+        Within the comfort it is a share of the pose's own: all of it is missed where the margin begins.
+        """
+        spare = self._planes(trajectory).gap - self._margin + SAG
+        return max(0.0, self._penalty.comfort - float(np.minimum(spare, self._share * spare).min()))
 
     def is_near(self, trajectory: Trajectory) -> bool:
         """Whether any pose is within reach, so that `rows` are not empty."""
@@ -67,8 +76,10 @@ class ObstacleLimit:
         near = nearest(planes.gap, REACH)
         direction = np.column_stack([planes.normal[near], planes.turning[near]])
         matrix = (direction[:, np.newaxis] @ sensitivities.poses[near])[:, 0]
-        lower = self._margin + self._penalty.comfort - planes.gap[near]
-        return Rows(matrix, lower, np.full(len(near), np.inf))
+        spare, share = planes.gap[near] - self._margin, self._share[near]
+        share = np.where(spare < 0, 1.0, share)  # what misses the margin itself is priced in full
+        lower = self._penalty.comfort - share * spare
+        return Rows(share[:, np.newaxis] * matrix, lower, np.full(len(near), np.inf), share)
 
     def impact(self, trajectory: Trajectory) -> tuple[int, Array] | None:
         """The first pose at which the plan is in contact, and the obstacle's velocity (2,) then; None without one."""
