@@ -89,7 +89,7 @@ class UnifiedSettings(Settings):
     clearance_margin: Margin = 0.02
     clearance_penalty: Weight = 2e4
     clearance_penalty_quadratic: Weight = 1e5
-    passing_gap: Margin = 0.3
+    passing_gap: Margin = 0.2
     stopping_gap: Margin = 1.0
     force_weight: Weight = 1e-8
     trust_steering: Angle = 0.08

@@ -122,13 +122,17 @@ def planned(n: int = 1, *overrides: str) -> Memory:
     return memory
 
 
-def forecast(shape: Shape, position: Sequence[float], velocity: Sequence[float] = (0.0, 0.0), **more: float) -> Forecast:
+def forecast(
+    shape: Shape, position: Sequence[float], velocity: Sequence[float] = (0.0, 0.0), **more: float
+) -> Forecast:
     """What is expected of an obstacle seen at time zero that keeps its velocity; `heading` may be given."""
     motion = np.array(position, dtype=float), np.array(velocity, dtype=float), np.zeros(2)
     return Forecast(shape, more.get("heading", 0.0), 0.0, *motion)
 
 
-def scene(*obstacles: Obstacle, state: Array = RUNNING, memory: Memory | None = None, of: tuple[str, ...] = ()) -> Scene:
+def scene(
+    *obstacles: Obstacle, state: Array = RUNNING, memory: Memory | None = None, of: tuple[str, ...] = ()
+) -> Scene:
     """The scene of a step that measures this state and these obstacles, for the overrides `of`."""
     measurement = empty(0.0, state, *obstacles)
     known = memory or controller(*of).start()
@@ -179,5 +183,3 @@ def broken_measurements(value: float) -> dict[str, Measurement]:
     }
     seen_wrong = {f"obstacle's {name}": replace(good, obstacles=(only, each)) for name, each in obstacles.items()}
     return broken | loads | seen_wrong
-
-

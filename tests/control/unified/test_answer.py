@@ -132,7 +132,7 @@ def test_friction_use_is_the_friction_ellipses() -> None:
 
 
 def test_what_is_active_holds_the_plan() -> None:
-    """Names are those of limits and inputs; an input that is named is at its limit; an obstacle that is named is near."""
+    """Names are those of limits and inputs; an input that is named is at its limit; on an empty road none is an obstacle."""
     known = {"slip", "lane", "left edge", "right edge", "steering lock", *(f"obstacle {i}" for i in range(2))}
     known |= {f"force {wheel}" for wheel in ("fl", "fr", "rl", "rr")}
     seen_names = set()

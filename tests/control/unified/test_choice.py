@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -113,8 +114,8 @@ def _is_plain(candidates: Sequence[Told]) -> bool:
     costs = sorted(each.cost for each in candidates)
     made = [candidate(each) for each in candidates]
     severities = sorted(each.severity for each in made)
-    near = any(b - a <= 2 * EQUAL * (1 + b) for a, b in zip(costs, costs[1:], strict=False))
-    return not near and all(b - a > 1e-9 for a, b in zip(severities, severities[1:], strict=False))
+    near = any(b - a <= 2 * EQUAL * (1 + b) for a, b in pairwise(costs))
+    return not near and all(b - a > 1e-9 for a, b in pairwise(severities))
 
 
 @given(st.lists(told, min_size=2, max_size=4), st.randoms(), st.integers(-1, 3))

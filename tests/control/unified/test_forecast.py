@@ -32,7 +32,9 @@ def watched(velocities: Sequence[Array], period: float = 0.05) -> Forecast:
 
 
 @given(pairs, st.tuples(accelerations, accelerations))
-def test_the_position_is_the_sum_of_the_velocity(velocity: tuple[float, float], acceleration: tuple[float, float]) -> None:
+def test_the_position_is_the_sum_of_the_velocity(
+    velocity: tuple[float, float], acceleration: tuple[float, float]
+) -> None:
     """From what was seen on, the position moves by the velocity that is expected, in steps of a millisecond."""
     found = expected(velocity, acceleration)
     times = 1.0 + np.arange(0.0, 4.0, 1e-3)

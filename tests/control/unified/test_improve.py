@@ -30,7 +30,7 @@ def begun(found: Situation, inputs: np.ndarray | None = None) -> WayPlan:
 @pytest.mark.parametrize("of", [(), BOX_CAR])
 @pytest.mark.parametrize("passing", list(Passing))
 def test_improving_lowers_the_merit(passing: Passing, of: tuple[str, ...]) -> None:
-    """Each further iteration leaves the merit as it was or lower; a swerve gets round on its side, a stop slows down."""
+    """Each further iteration leaves the merit as it was or lower; a swerve ends on its side, a stop in its lane."""
     first_guess = np.tile([0.0, *(-0.4 * STATIC)], (20, 1)) if passing is Passing.BEHIND else None
     plan = begun(situation((passing,), FAR_AHEAD if passing is Passing.BEHIND else AHEAD, of=of), first_guess)
     merits = [plan.step.merit]
@@ -61,7 +61,7 @@ def test_no_iterations_no_change(steering: float, lateral: float) -> None:
 @settings(max_examples=8)
 @given(seeds, st.sampled_from(list(Passing)))
 def test_the_merit_never_rises_from_anywhere(seed: int, passing: Passing) -> None:
-    """From any inputs within the limits, however bad, improving never makes a plan worse, and its trust stays a share."""
+    """From any inputs, however bad, improving never makes a plan worse, and its trust stays a share."""
     before = begun(situation((passing,), AHEAD), random_inputs(np.random.default_rng(seed), 2.0))
     after = improve(before, 3)
     assert after.step.merit <= before.step.merit
@@ -90,9 +90,7 @@ def test_left_and_right_are_mirror_images() -> None:
 
 def test_a_program_without_an_answer_ends_it(monkeypatch: pytest.MonkeyPatch) -> None:
     """The plan stays what it was, with one failure counted."""
-    monkeypatch.setattr(
-        module, "solve", lambda problem: Solution.without_answer(problem, Status.FAILED, 0, "none")
-    )
+    monkeypatch.setattr(module, "solve", lambda problem: Solution.without_answer(problem, Status.FAILED, 0, "none"))
     before = begun(situation((Passing.LEFT,), AHEAD))
     after = improve(before, 5)
     assert (after.n_solved, after.n_failed) == (0, 1)

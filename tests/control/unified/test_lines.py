@@ -142,7 +142,7 @@ def test_the_derivative_is_the_slope(
     """With its line held still a gap changes with psi as the derivative says; at a kink it is one of the slopes."""
     normal, _, turning = between(footprint, shape, heading, first, second, passing)
     for pose, found in zip((first, second), turning, strict=True):
-        reach = [float((corners(footprint, pose + [0, 0, d]) @ normal).min()) for d in (-1e-6, 0.0, 1e-6)]
+        reach = [float((corners(footprint, pose + np.array([0.0, 0.0, d])) @ normal).min()) for d in (-1e-6, 0.0, 1e-6)]
         slopes = np.diff(reach) / 1e-6
         assert slopes.min() - 1e-5 <= found <= slopes.max() + 1e-5
 

@@ -81,12 +81,17 @@ def separation(footprint: Footprint) -> Separation:
 
 
 def limit(
-    obstacle: Obstacle, footprint: Footprint, passing: Passing, margin: float = MARGIN, price: Penalty = PRICE
+    obstacle: Obstacle,
+    footprint: Footprint,
+    passing: Passing,
+    margin: float = MARGIN,
+    price: Penalty = PRICE,
+    growth: float = 0.0,
 ) -> ObstacleLimit:
     """The limit over the paths above, for an obstacle that is expected to go on as it does."""
     position, velocity = obstacle.position_at(0.0), obstacle.velocity_at(0.0)
     expected = Forecast(obstacle.shape, float(obstacle.heading_at(0.0)), 0.0, position, velocity, np.zeros(2))
-    return ObstacleLimit(0, expected, TIMES, separation(footprint), passing, margin, price)
+    return ObstacleLimit(0, expected, TIMES, separation(footprint), passing, margin, price, growth)
 
 
 def directions(rows: Rows) -> tuple[np.ndarray, np.ndarray]:
@@ -252,18 +257,59 @@ def test_the_obstacle_is_where_it_will_be(passing: Passing) -> None:
     np.testing.assert_allclose(MARGIN - rows.lower, 2.0, atol=1e-6)
 
 
-@given(obstacles(), footprints, passings, paths(), st.floats(0.0, 2.0))
-def test_comfort_is_missed_before_the_margin(
-    obstacle: Obstacle, footprint: Footprint, passing: Passing, poses: np.ndarray, comfort: float
+def gaps(obstacle: Obstacle, footprint: Footprint, passing: Passing, poses: np.ndarray) -> np.ndarray:
+    """The gap of each pose but the first, infinite where it is out of reach."""
+    rows = limit(obstacle, footprint, passing).rows(along(poses), each_pose_alone())
+    pose, _ = directions(rows)
+    found = np.full(N_POSES - 1, np.inf)
+    found[pose - 1] = MARGIN - rows.lower
+    return found
+
+
+@given(obstacles(), footprints, passings, paths(), st.floats(0.0, 1.5), st.floats(0.0, 3.0))
+def test_a_comfort_grows_with_foresight(
+    obstacle: Obstacle, footprint: Footprint, passing: Passing, poses: np.ndarray, comfort: float, growth: float
 ) -> None:
-    """A gap for comfort moves every line out by as much, and what it adds to the violation is no fault."""
-    bare = limit(obstacle, footprint, passing)
-    wide = limit(obstacle, footprint, passing, price=Penalty(5e3, 1e5, comfort, 1e3))
-    missed = bare.violation(along(poses))
-    assert wide.violation(along(poses)) <= missed + comfort + 1e-9
-    assert wide.penalty.missed(wide.violation(along(poses))) == pytest.approx(missed, abs=1e-9)
-    here, there = (each.rows(along(poses), each_pose_alone()).lower for each in (bare, wide))
-    np.testing.assert_allclose(there - here, comfort, atol=1e-9)
+    """Nothing is missed exactly where each pose has its margin and its own comfort; what is missed of the margin, and
+    that alone, is a fault, as large as without any comfort.
+    """
+    found = limit(obstacle, footprint, passing, price=Penalty(5e3, 1e5, comfort, 1e3), growth=growth)
+    gap = gaps(obstacle, footprint, passing, poses) - MARGIN + SAG
+    wanted = comfort * (1 + growth * TIMES[1:])
+    assume(np.abs(gap - wanted).min() > 1e-9)
+    violation = found.violation(along(poses))
+    assert (violation > 0) == (gap < wanted).any()
+    assert found.penalty.missed(violation) == pytest.approx(max(0.0, -float(gap.min())), abs=1e-9)
+    assert violation == pytest.approx(limit(obstacle, footprint, passing).violation(along(poses)) + comfort) or (
+        violation < comfort + 1e-9
+    )
+
+
+@given(obstacles(), footprints, passings, paths(), st.floats(0.0, 1.5), st.floats(0.0, 1.0))
+def test_rows_miss_what_the_violation_says_with_a_comfort_too(
+    obstacle: Obstacle, footprint: Footprint, passing: Passing, poses: np.ndarray, comfort: float, growth: float
+) -> None:
+    """At the point of expansion the largest row is the violation, but for what curvature may take."""
+    found = limit(obstacle, footprint, passing, price=Penalty(5e3, 1e5, comfort, 1e3), growth=growth)
+    rows = found.rows(along(poses), each_pose_alone())
+    largest, violation = max(0.0, rows.lower.max(initial=0.0)), found.violation(along(poses))
+    assert violation - 1e-9 <= largest <= violation + SAG + 1e-9
+    assert rows.weight is not None
+    assert ((rows.weight > 0) & (rows.weight <= 1)).all()
+
+
+@settings(max_examples=25)
+@given(st.floats(-15.0, 15.0), st.floats(1.0, 2.5), sides)
+def test_whatever_crosses_has_rows_where_it_has_a_price(speed: float, seconds: float, side: Passing) -> None:
+    """An obstacle that crosses has a wide gap; each pose that misses it is one that the program sees."""
+    meeting = 20.0 * seconds
+    walker = Obstacle(Ellipse((0.4, 0.4)), Steady((meeting, -speed * seconds + side.value * 1.0), (0.0, speed)))
+    found = situation((side,), walker)
+    (crossing,) = (each for each in found.program.soft if isinstance(each, ObstacleLimit))
+    step = found.roll_out(np.zeros((20, 5)))
+    rows = crossing.rows(step.trajectory, found.sensitivities(step))
+    violation = crossing.violation(step.trajectory)
+    assert violation - 1e-9 <= max(0.0, rows.lower.max(initial=0.0)) <= violation + SAG + 1e-9
 
 
 @given(obstacles(), footprints, passings, paths())

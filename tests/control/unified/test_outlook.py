@@ -24,7 +24,9 @@ def car(x: float, y: float, speed: float = 0.0) -> Obstacle:
     return Obstacle(Rectangle(4.5, 1.8), Steady((x, y), (speed, 0.0)))
 
 
-def found(passing: tuple[Passing, ...], *obstacles: Obstacle, of: tuple[str, ...] = OPEN, ahead: float = 0.0) -> Outlook:
+def found(
+    passing: tuple[Passing, ...], *obstacles: Obstacle, of: tuple[str, ...] = OPEN, ahead: float = 0.0
+) -> Outlook:
     """The outlook of a way round all of these, as if each were in the path."""
     return outlook(scene(*obstacles, of=of), Way(passing, tuple(range(len(passing)))), 0.05, 20, 16, ahead)
 

@@ -13,7 +13,6 @@ from swerve.control.unified.way import Way
 from swerve.signals import Measurement
 from swerve.world import Ellipse, Obstacle, Rectangle, Steady
 from tests.control.unified.situations import (
-    AHEAD,
     BOX_CAR,
     LANES,
     RUNNING,

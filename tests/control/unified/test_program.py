@@ -42,7 +42,13 @@ passings = st.sampled_from(list(Passing))
 SEPARATION = Separation(Point(), 41, 41)
 
 
-def program(*places: np.ndarray, passing: Passing = Passing.LEFT, rate: bool = True, price: Penalty = BARE) -> Program:
+def program(
+    *places: np.ndarray,
+    passing: Passing = Passing.LEFT,
+    rate: bool = True,
+    price: Penalty = BARE,
+    growth: float = 0.0,
+) -> Program:
     """All terms and all limits, round discs at these places."""
     terms = (
         Tracking(VX, 20.0, 1.0),
@@ -52,7 +58,7 @@ def program(*places: np.ndarray, passing: Passing = Passing.LEFT, rate: bool = T
         WheelForce(1e-8, BLOCKING),
     )
     discs = [forecast(Ellipse((2.0, 2.0)), place) for place in places]
-    soft = [ObstacleLimit(i, each, TIMES, SEPARATION, passing, 0.01, price) for i, each in enumerate(discs)]
+    soft = [ObstacleLimit(i, each, TIMES, SEPARATION, passing, 0.01, price, growth) for i, each in enumerate(discs)]
     hard = (SteeringRateLimit(RATE * 0.05, 0.01, BLOCKING),) if rate else ()
     return Program(terms, BOX, hard, (*soft, SlipLimit(0.12, Penalty(1e3, 1e5))))
 
@@ -171,7 +177,7 @@ def test_two_slacks_are_the_exact_penalty(
     """The optimum over z and both slacks is that of the cost plus the price of the violation, by brute force."""
     price = Penalty(10.0, 100.0, comfort, cheap)
     found = Program((Pull(weight, wish),), BOX, (), (Fence(least, price),))
-    trajectory, sensitivities, _ = random_roll_out(0)
+    _, sensitivities, _ = random_roll_out(0)
     wide = np.array([1.0, 1e4, 1e4, 1e4, 1e4])  # no trust region
     still = model().roll_out(RUNNING, np.zeros((20, 5)), STATIC)
     solution = solve(found.convex(still, sensitivities, wide))
@@ -186,13 +192,15 @@ def test_two_slacks_are_the_exact_penalty(
 
 
 @settings(max_examples=15)
-@given(seeds, st.sampled_from([BARE, COMFORTABLE]), passings)
-def test_no_change_costs_in_the_program_what_it_costs(seed: int, price: Penalty, passing: Passing) -> None:
+@given(seeds, st.sampled_from([BARE, COMFORTABLE]), passings, st.sampled_from([0.0, 1.0]))
+def test_no_change_costs_in_the_program_what_it_costs(
+    seed: int, price: Penalty, passing: Passing, growth: float
+) -> None:
     """At the point of expansion the program's price of all slacks is the score's penalty, but for what curvature may
     take: it promises nothing that is no gain.
     """
     trajectory, sensitivities, _ = random_roll_out(seed)
-    found = program(ahead(trajectory, 1.0), passing=passing, price=price)
+    found = program(ahead(trajectory, 1.0), passing=passing, price=price, growth=growth)
     problem = found.convex(trajectory, sensitivities, np.zeros(5))
     lower, upper = problem.lower.copy(), problem.upper.copy()
     lower[: BLOCKING.n] = np.minimum(lower[: BLOCKING.n], 0.0)

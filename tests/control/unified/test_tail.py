@@ -140,9 +140,7 @@ def test_the_mirror_image_goes_the_mirrored_way(
 
 @settings(max_examples=40)
 @given(seeds, st.floats(-5.0, 5.0), st.sampled_from([0.0, 9.0]), st.sampled_from([0.0, 5.0, 8.0]))
-def test_sensitivities_are_the_slopes(
-    tail: Tail, seed: int, target: float, stiffness: float, braking: float
-) -> None:
+def test_sensitivities_are_the_slopes(tail: Tail, seed: int, target: float, stiffness: float, braking: float) -> None:
     """Moving the last state moves the path as the sensitivities say; at a kink, between the slopes of both sides."""
     state, outlook = random_start(np.random.default_rng(seed)), steering(target, stiffness, braking=braking)
     found, here = tail.sensitivities(state, np.eye(6), outlook), tail.path(state, outlook)[0]

@@ -62,7 +62,7 @@ def test_braking_is_always_a_way(crowd: tuple[list[Passing], list[int], list[int
 @given(crowds())
 def test_all_sides_of_the_first_ones_are_combined(crowd: tuple[list[Passing], list[int], list[int]]) -> None:
     """Every combination of sides of the first obstacles in the path is a way, and so is a side and then the brake."""
-    natural, threats, _ = crowd
+    _, threats, _ = crowd
     decided = {way.decided for way in ways(*crowd)}
     if not threats:
         assert decided == {()}

@@ -86,6 +86,8 @@ def choose(candidates: Sequence[Candidate], committed: Candidate | None, commitm
     if best.faults < committed.grave_faults:
         what = FAULTS[committed.grave_faults.index(True)]
         return Choice(best, f"the way so far, {committed.plan.way.name}, {what}")
+    if best.plan.way.is_straight and best.faults < committed.faults:
+        return Choice(best, f"the way so far, {committed.plan.way.name}, hardly goes, and there is room to stop")
     if best.faults <= committed.faults and _is_much_cheaper(best, committed, commitment):
         return Choice(best, f"costs less than {commitment:.0%} of the way so far, {committed.plan.way.name}")
     return Choice(committed, "the way so far, and none is much better")

@@ -54,7 +54,7 @@ LANE_KEPT = 0.1  # [m] to each side by which a stop may leave its line
 LANE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of more than that
 GROWTH = 1.0  # [1/s] of the gap beside an obstacle, with foresight: what a prediction gets wrong grows so
 TIMING = 0.15  # [s] by which an obstacle that crosses may come earlier or later: so much wider is the gap beside it
-PASSING = 1e3  # [1/m] of a gap that is missed beside an obstacle
+PASSING = 2.5e3  # [1/m] of a gap that is missed beside an obstacle
 STOPPING = 2e3  # [1/m] of one that is missed behind it: more than a standing vehicle gains by creeping on
 EDGE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of what is off the road: less than of a collision, more than of a slide
 

@@ -112,19 +112,24 @@ class Planning:
         plan = self._begin(way)
         if not is_spare:
             return self._plan(plan)
+        if way.is_straight and _has_faults(plan):
+            plan = replace(plan, step=self._best_guess(plan))
         return improve(plan, 1) if in_turn and not self.deadline.is_over else plan
 
     def _plan(self, plan: WayPlan) -> WayPlan:
         """The plan of one way, from its shifted plan on; where that fails, from the best of the first guesses."""
         settings = self.formulation.settings
-        plan = improve(plan, 0 if self._is_new(plan) else settings.iterations)
+        if self._is_new(plan):
+            plan = replace(plan, step=self._best_guess(plan))
+        plan = improve(plan, settings.iterations)
         if not _has_faults(plan):
             return plan
         if max(plan.violation, plan.off_road) <= NEARLY:
             return improve(plan, settings.iterations)
         if plan.way.is_straight:
             return self._mildest(plan)
-        return improve(replace(plan, step=self._best_guess(plan), trust=1.0), settings.first_iterations)
+        guess = plan.step if self._is_new(plan) else self._best_guess(plan)
+        return improve(replace(plan, step=guess, trust=1.0), settings.first_iterations - settings.iterations)
 
     def _mildest(self, plan: WayPlan) -> WayPlan:
         """The stop with the least impact speed, of the plan itself and the first guesses, as none is in time."""
