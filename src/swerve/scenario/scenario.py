@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from swerve.scenario.actuation import ActuationSettings
 from swerve.scenario.controller import ControllerSettings
+from swerve.scenario.driver import DriverSettings
 from swerve.scenario.ego import EgoSettings
 from swerve.scenario.obstacle import ObstacleSettings
 from swerve.scenario.quantities import Duration, Name, Offset, PlantStep, Speed, Text
@@ -57,6 +58,7 @@ class Scenario(Settings):
         plant: the simulated vehicle's clock.
         sensing: what the controller gets to know, and when.
         actuation: what the vehicle can command, and what of it has failed.
+        driver: who sits at the wheel; None for nobody.
     """
 
     name: Name = Field(examples=['"my-scenario"'])
@@ -71,6 +73,7 @@ class Scenario(Settings):
     plant: PlantSettings = Field(default_factory=PlantSettings)
     sensing: SensingSettings = Field(default_factory=SensingSettings)
     actuation: ActuationSettings = Field(default_factory=ActuationSettings)
+    driver: DriverSettings | None = None
 
     @model_validator(mode="after")
     def _clocks_agree(self) -> Self:
@@ -100,6 +103,15 @@ class Scenario(Settings):
         if angle is not None and abs(angle) > lock:
             fault = f"{angle:g} rad is beyond the vehicle's steering lock"
             raise KeyedError("actuation.steering_stuck", f"{fault}; write at most {lock:g} rad to either side")
+        return self
+
+    @model_validator(mode="after")
+    def _driver_within_lock(self) -> Self:
+        lock = self.ego.to_vehicle().steering_limit
+        for index, (_, angle) in enumerate(() if self.driver is None else self.driver.steering):
+            if abs(angle) > lock:
+                fault = f"{angle:g} rad is beyond the vehicle's steering lock"
+                raise KeyedError(f"driver.steering.{index}", f"{fault}; write at most {lock:g} rad to either side")
         return self
 
     @property

@@ -6,11 +6,17 @@ from typing import Any, Final
 from swerve.control import Controller, Goal, Horizon, Latency, Weights
 from swerve.control.actuation import Actuation
 from swerve.control.as_printed import AsPrintedController, AsPrintedSettings
+from swerve.control.driver import DriverController
 from swerve.control.unified import Formulation, UnifiedController, UnifiedSettings
+from swerve.conventions import GRAVITY
+from swerve.driver import DriverSeries, LaneKeeper
+from swerve.driver.series import NOTHING
 from swerve.errors import InputError, unknown
 from swerve.plant import MultibodyPlant, PlanarPlant, Plant
 from swerve.scenario import Scenario
+from swerve.scenario.driver import PREVIEW
 from swerve.sensing import Noise, Sensor
+from swerve.signals import Driver
 from swerve.vehicle import Vehicle
 from swerve.vehicle.multibody import Actuators, completion_of
 from swerve.world import Friction
@@ -79,6 +85,10 @@ def _as_printed(scenario: Scenario, plant: str) -> AsPrintedController:
     return AsPrintedController(settings=settings, **_shared(scenario, plant))
 
 
+def _driver(scenario: Scenario, plant: str) -> DriverController:
+    return DriverController(scenario.ego.to_vehicle(), scenario.road.friction, actuation_of(scenario))
+
+
 def planar_plant(vehicle: Vehicle, friction: Friction, step: float, n_substeps: int) -> PlanarPlant:
     """The planar plant for a vehicle of the library; InputError on a road with patches."""
     if friction.patches:
@@ -111,12 +121,26 @@ def sensor_of(scenario: Scenario) -> Sensor:
     """Build the way from truth to measurement."""
     settings = scenario.sensing
     noise = Noise(**settings.noise.model_dump())
-    return Sensor(settings.delay, noise, settings.wheel_loads == "estimated", scenario.ego.to_vehicle())
+    estimates = settings.wheel_loads == "estimated"
+    return Sensor(settings.delay, noise, estimates, scenario.ego.to_vehicle(), driver_of(scenario))
+
+
+def driver_of(scenario: Scenario) -> Driver | None:
+    """Who sits at the wheel; None where the scenario has no driver."""
+    told, vehicle, friction = scenario.driver, scenario.ego.to_vehicle(), scenario.road.friction
+    if told is None:
+        return None
+    if told.model is not None:
+        goal = scenario.goal
+        return LaneKeeper(vehicle, friction, goal.lateral_offset, goal.speed, told.preview or PREVIEW)
+    full = vehicle.force_limit * friction * vehicle.mass * GRAVITY
+    force = tuple((time, share * full) for time, share in told.pedal)
+    return DriverSeries(told.steering or NOTHING, force or NOTHING)
 
 
 ControllerBuilder = Callable[[Scenario, str], Controller[Any]]
 
-CONTROLLERS: Final[dict[str, ControllerBuilder]] = {"unified": _unified, "as-printed": _as_printed}
+CONTROLLERS: Final[dict[str, ControllerBuilder]] = {"unified": _unified, "as-printed": _as_printed, "driver": _driver}
 PLANTS: Final[dict[str, Callable[[Scenario], Plant]]] = {"planar": _planar, "multibody": _multibody}
 DEFAULT_CONTROLLER: Final = "unified"
 DEFAULT_PLANT: Final = "multibody"

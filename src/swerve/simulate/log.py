@@ -3,6 +3,7 @@
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import nan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from swerve.control import Plan
 from swerve.conventions import INPUT_UNITS, INPUTS, STATE_UNITS, STATES, WHEELS
 from swerve.plant import Trace
-from swerve.signals import Command
+from swerve.signals import Command, DriverInput
 
 Array = NDArray[np.float64]
 
@@ -68,8 +69,14 @@ def motion_table(time: Array, traces: Sequence[Trace]) -> Table:
     return Table(columns, units)
 
 
-def steps_table(time: Array, commands: Sequence[Command], plans: Sequence[Plan], step_times: Sequence[float]) -> Table:
-    """The controller's steps at `time` (n,) [s], with the time that each took [s]."""
+def steps_table(
+    time: Array,
+    commands: Sequence[Command],
+    plans: Sequence[Plan],
+    step_times: Sequence[float],
+    drivers: Sequence[DriverInput | None] = (),
+) -> Table:
+    """The controller's steps at `time` (n,) [s], with the time that each took [s] and what the driver asked for."""
     inputs = np.array([command.as_input() for command in commands])
     columns: dict[str, NDArray[np.generic]] = {"time": time, **dict(zip(INPUTS, inputs.T, strict=True))}
     units = {"time": "s", **dict(zip(INPUTS, INPUT_UNITS, strict=True))}
@@ -84,6 +91,10 @@ def steps_table(time: Array, commands: Sequence[Command], plans: Sequence[Plan],
     for i, wheel in enumerate(WHEELS):
         name = f"friction_use_{wheel}"
         columns[name], units[name] = np.array([plan.friction_use[i] for plan in plans]), "1"
+    nobody = [None] * len(plans)
+    asked = [(nan, nan) if each is None else (each.steering_angle, each.force) for each in drivers or nobody]
+    columns["delta_driver"], columns["force_driver"] = np.array(asked).T
+    units |= {"delta_driver": "rad", "force_driver": "N"}
     columns["step_time"], units["step_time"] = np.array(step_times), "s"
     return Table(columns, units)
 

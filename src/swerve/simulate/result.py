@@ -98,6 +98,7 @@ class Result:
         solver_failures: quadratic programs without an answer.
         wall_time: of the whole run [s].
         divergence: when and from what state the simulation diverged; None when it did not.
+        driver_deviation: largest magnitude of commanded less driver's steering angle; None without a driver [rad].
     """
 
     scenario: str
@@ -125,6 +126,7 @@ class Result:
     solver_failures: int
     wall_time: float
     divergence: Divergence | None
+    driver_deviation: float | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Plain values, ready for `json.dumps`; a number that is not finite becomes None."""
@@ -180,7 +182,14 @@ def evaluate(
         solver_failures=sum(plan.solver_failures for plan in plans),
         wall_time=wall_time,
         divergence=Divergence.of(states, motion["time"]),
+        driver_deviation=_driver_deviation(log),
     )
+
+
+def _driver_deviation(log: Log) -> float | None:
+    """Over the steps whose driver's input is finite."""
+    deviation = np.abs(log.steps["delta"] - log.steps["delta_driver"])
+    return max(deviation[np.isfinite(deviation)].tolist(), default=None)
 
 
 class _Impact(NamedTuple):

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
+from swerve.driver.preview import preview_steering
 from swerve.study.manoeuvres import DoubleLaneChange, SmoothLaneChange, run_manoeuvre
 from swerve.study.manoeuvres.course import Course
 from swerve.study.manoeuvres.path import LanePath
-from swerve.study.manoeuvres.preview import preview_steering
-from swerve.study.manoeuvres.steady_state import steering_per_acceleration
 from swerve.vehicle import vehicle_named
+from swerve.vehicle.steady_state import steering_per_acceleration
 from swerve.world import Obstacle, Point, Rectangle, Steady, clearance
 
 SEDAN = vehicle_named("d-class-sedan")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from swerve.control.plan import Fallback, Plan
 from swerve.control.protocol import Controller
 from swerve.control.unified.answer import plan_of
+from swerve.control.unified.assistance import Lead
 from swerve.control.unified.choice import ON_ROAD, Candidate, choose
 from swerve.control.unified.compensation import is_late, n_commands
 from swerve.control.unified.deadline import Clock, Deadline
@@ -19,8 +20,7 @@ from swerve.control.unified.forecast import forecasts
 from swerve.control.unified.formulation import Formulation
 from swerve.control.unified.improve import WayPlan
 from swerve.control.unified.memory import Memory, is_same, shifted
-from swerve.control.unified.planning import Planning
-from swerve.control.unified.scene import Scene
+from swerve.control.unified.planning import Planning, leaves_a_way
 from swerve.control.unified.situation import CLEAR
 from swerve.signals import Command, Measurement
 from swerve.vehicle.loads import wheel_loads
@@ -50,7 +50,8 @@ class UnifiedController(Controller[Memory]):
             return self._step(measurement, memory)
 
     def _step(self, measurement: Measurement, memory: Memory) -> Answer:
-        allowed = self._formulation.settings.deadline * self._formulation.horizon.sample_time
+        leads = self._formulation.assistance.leads(measurement)
+        allowed = self._formulation.settings.deadline * self._formulation.horizon.sample_time / len(leads)
         deadline = Deadline(allowed, self._clock)
         if measurement.is_finite:
             memory = replace(memory, wheel_loads=measurement.wheel_loads)
@@ -59,24 +60,26 @@ class UnifiedController(Controller[Memory]):
             return self._fall_back(measurement, reason, memory)
         formulation = self._formulation
         memory = replace(memory, forecasts=forecasts(measurement.stamp, measurement.obstacles, memory.forecasts))
-        planning = Planning(formulation, formulation.scene(measurement, memory), measurement, memory, deadline)
-        plans = planning.unsolved() if deadline.is_over else planning.plans()
-        again = planning.overlooked(plans)
-        if again is not None and not deadline.is_over:
-            planning, plans = again, again.plans()
+        scene = formulation.scene(measurement, memory)
+        planning, plans = _planned(Planning(formulation, scene, measurement, memory, deadline, leads[0]))
+        for lead in leads[1:]:
+            if leaves_a_way(plans):
+                break
+            planning, plans = _planned(replace(planning, deadline=Deadline(allowed, self._clock), lead=lead))
         if any(plan.n_solved for plan in plans):
-            return self._take(planning.scene, plans, measurement, memory)
+            return self._take(planning, plans, measurement, memory)
         reason = Fallback.NO_SOLUTION if any(plan.n_failed for plan in plans) else Fallback.DEADLINE
         return self._fall_back(measurement, reason, memory, plans)
 
-    def _take(self, scene: Scene, plans: list[WayPlan], measurement: Measurement, memory: Memory) -> Answer:
+    def _take(self, planning: Planning, plans: list[WayPlan], measurement: Measurement, memory: Memory) -> Answer:
         """The best plan as command, and what the next step is to know."""
-        formulation = self._formulation
-        candidates = [self._candidate(scene, plan) for plan in plans]
+        formulation, scene = self._formulation, planning.scene
+        candidates = [self._candidate(planning, plan) for plan in plans]
         so_far = (each for each in candidates if is_same(memory.committed, each.plan.way.passing, scene.threats))
         committed = next(so_far, None) if memory.committed is not None else None
         choice = choose(candidates, committed, formulation.settings.commitment)
         plan = plan_of(measurement, candidates, choice, formulation.place.friction)
+        plan = formulation.assistance.told(plan, planning.lead, measurement)
         taken = choice.candidate.plan.way.passing
         is_shaped = any(each.is_shaped or each.violation > CLEAR or each.off_road > ON_ROAD for each in plans)
         after = Memory(
@@ -91,13 +94,17 @@ class UnifiedController(Controller[Memory]):
             0,
             memory.count + 1,
             memory.wheel_loads,
+            formulation.assistance.deviation(plan.inputs[0], measurement),
         )
         return Command.from_input(plan.inputs[0]), plan, after
 
-    def _candidate(self, scene: Scene, plan: WayPlan) -> Candidate:
+    def _candidate(self, planning: Planning, plan: WayPlan) -> Candidate:
+        """Where a driver leads, what is beyond the horizon is the driver's affair."""
+        scene, is_free = planning.scene, planning.lead is Lead.NOBODY
         impact_speed = plan.situation.impact_speed(plan.step) if plan.violation > CLEAR else None
-        leaves_lane = scene.leaves_lane(plan.step.trajectory.poses)
-        return Candidate(plan, self._formulation.total(plan), impact_speed, leaves_lane, scene.is_leaving)
+        cost = self._formulation.total(plan) if is_free else plan.step.merit
+        leaves_lane = is_free and scene.leaves_lane(plan.step.trajectory.poses)
+        return Candidate(plan, cost, impact_speed, leaves_lane, scene.is_leaving)
 
     def _unusable(self, measurement: Measurement) -> Fallback | None:
         """Why a measurement can't be planned from, if it can't."""
@@ -122,9 +129,19 @@ class UnifiedController(Controller[Memory]):
         after = replace(
             memory,
             commands=memory.after(plan.inputs[0]),
+            deviation=formulation.assistance.deviation(plan.inputs[0], measurement),
             inputs={key: shifted(inputs) for key, inputs in memory.inputs.items()},
             plan=memory.plan if samples else plan,
             age=samples,
             count=memory.count + 1,
         )
         return Command.from_input(plan.inputs[0]), plan, after
+
+
+def _planned(planning: Planning) -> tuple[Planning, list[WayPlan]]:
+    """The plans of a planning, or of one that sees what it thought out of the path."""
+    plans = planning.unsolved() if planning.deadline.is_over else planning.plans()
+    again = planning.overlooked(plans)
+    if again is not None and not planning.deadline.is_over:
+        return again, again.plans()
+    return planning, plans

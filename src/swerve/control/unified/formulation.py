@@ -12,8 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control.actuation import EVERYTHING, Actuation
+from swerve.control.driver import DriverActuation
 from swerve.control.plan import Passing, Side
 from swerve.control.settings import Goal, Horizon, Latency, Weights
+from swerve.control.unified.assistance import Assistance, Lead
 from swerve.control.unified.compensation import state_at_effect
 from swerve.control.unified.condensing import Blocking
 from swerve.control.unified.deadline import Deadline
@@ -90,6 +92,8 @@ class Formulation:
         self.place = Place(footprint, road, friction, goal.lateral_offset, settings.clearance_margin, *able)
         self.model = PredictionModel(vehicle, friction, horizon)
         self.blocking = Blocking(horizon, actuation)
+        at_the_wheel = DriverActuation(vehicle, friction, actuation)
+        self.assistance = Assistance(at_the_wheel, self.blocking, horizon.sample_time)
         n_fine = 2 * horizon.prediction + 1 + horizon.prediction
         self._tail = Tail(horizon.prediction + N_COARSE)
         self._separation = Separation(footprint, n_fine + N_COARSE, n_fine)
@@ -118,17 +122,27 @@ class Formulation:
         return look(self.place, start, time, known, memory.threats, self._tail, self._lines)
 
     def situation(
-        self, scene: Scene, way: Way, measurement: Measurement, memory: Memory, deadline: Deadline
+        self,
+        scene: Scene,
+        way: Way,
+        measurement: Measurement,
+        memory: Memory,
+        deadline: Deadline,
+        lead: Lead = Lead.NOBODY,
     ) -> Situation:
         """Cost and limits of this step for one way."""
         duration = float(self._half_samples[-1])
         beyond = outlook(scene, way, self.horizon.sample_time, self.horizon.prediction, N_COARSE, duration)
         times = scene.time + np.concatenate([self._half_samples, duration + beyond.times])
         obstacles = [self._obstacle(scene, way, i, times) for i in range(len(scene.forecasts))]
-        calm = self._straight if way.is_straight else self._swerving
-        terms = (*self._tracking, calm.input_rate.after(memory.command), self._force)
-        lane = self._lane(scene) if way.is_straight else ()
+        is_calm = way.is_straight and lead is Lead.NOBODY
+        calm = self._straight if is_calm else self._swerving
+        tracking = self._tracking if lead is Lead.NOBODY else self.assistance.terms(lead, measurement)
+        terms = (*tracking, calm.input_rate.after(memory.command), self._force)
+        lane = self._lane(scene) if is_calm else ()
         within = self.actuators(measurement.wheel_loads, memory)
+        if lead is Lead.DRIVER:
+            within = self.assistance.held(within, measurement, memory.deviation)
         program = replace(within, terms=terms, soft=(*obstacles, *lane, *self._edges, calm.slip))
         loads, trust = measurement.wheel_loads, self._trust
         return Situation(way, program, self.model, self._tail, beyond, times, scene.start, loads, trust, deadline)

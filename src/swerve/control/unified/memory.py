@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from swerve.control.plan import Passing, Plan
 from swerve.control.unified.forecast import Forecast
+from swerve.conventions import N_INPUTS
 
 Array = NDArray[np.float64]
 
@@ -29,6 +30,7 @@ class Memory:
         age: samples since that plan [1].
         count: steps so far [1].
         wheel_loads: (4,) of the last measurement that was finite [N]; None before the first.
+        deviation: (5,) of the last command from the driver's input; zero without a driver [rad, N, N, N, N].
     """
 
     commands: tuple[Array, ...]
@@ -42,6 +44,7 @@ class Memory:
     age: int = 0
     count: int = 0
     wheel_loads: Array | None = None
+    deviation: Array = field(default_factory=lambda: np.zeros(N_INPUTS))
 
     @property
     def command(self) -> Array:

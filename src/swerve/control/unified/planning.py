@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control.unified.acceptance import Step
+from swerve.control.unified.assistance import Lead
 from swerve.control.unified.choice import NEARLY, ON_ROAD
 from swerve.control.unified.deadline import Deadline
 from swerve.control.unified.formulation import Formulation
@@ -35,6 +36,7 @@ class Planning:
         measurement: of this step.
         memory: of the last step.
         deadline: of this step.
+        lead: of its plans.
     """
 
     formulation: Formulation
@@ -42,6 +44,7 @@ class Planning:
     measurement: Measurement
     memory: Memory
     deadline: Deadline
+    lead: Lead = Lead.NOBODY
 
     def plans(self) -> list[WayPlan]:
         """The plans of the ways that were worth one, in the order in which equal ones are preferred.
@@ -97,7 +100,8 @@ class Planning:
 
     def _begin(self, way: Way) -> WayPlan:
         """The last plan of a way one sample later, from the measured state; without one, that which was taken."""
-        situation = self.formulation.situation(self.scene, way, self.measurement, self.memory, self.deadline)
+        of_step = self.measurement, self.memory, self.deadline, self.lead
+        situation = self.formulation.situation(self.scene, way, *of_step)
         key = self.memory.key_of(way.passing, self.scene.threats)
         known = self.memory.inputs.get(key or self.memory.taken or ())
         nothing = np.zeros((self.formulation.horizon.prediction, N_INPUTS))
@@ -159,6 +163,11 @@ class Planning:
             formulation.horizon.prediction,
             formulation.actuation.steers,
         )
+
+
+def leaves_a_way(plans: list[WayPlan]) -> bool:
+    """Whether any of the plans is clear, and as clear of the road's edges."""
+    return any(max(plan.violation, plan.off_road) <= CLEAR for plan in plans)
 
 
 def _has_faults(plan: WayPlan) -> bool:

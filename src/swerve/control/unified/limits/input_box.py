@@ -8,7 +8,7 @@ lateral demand lambda = |M(alpha)| / D of the trajectory it is linearised about:
     |Fx| <= share mu Fz sqrt(1 - (RESERVE lambda)^2)
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,10 +30,12 @@ class InputBox:
     Attributes:
         largest: (5,) largest magnitude of each input, whatever the lateral demand [rad, N, N, N, N].
         blocking: of the free inputs.
+        held: (n, 5) inputs of the first samples, fewer than Nc, that are settled; none by default.
     """
 
     largest: Array
     blocking: Blocking
+    held: Array = field(default_factory=lambda: np.empty((0, N_INPUTS)))
 
     @classmethod
     def of(cls, vehicle: Vehicle, friction: float, loads: Array, blocking: Blocking) -> "InputBox":
@@ -52,6 +54,8 @@ class InputBox:
         limit = self.limit(self.blocking.free(trajectory.lateral_demand))
         lower = np.minimum(np.maximum(actuation.lower * limit - inputs, -trust), trust) / INPUT_SCALE
         upper = np.minimum(np.maximum(actuation.upper * limit - inputs, -trust), trust) / INPUT_SCALE
+        n = len(self.held)
+        lower[:n] = upper[:n] = (self.held - inputs[:n]) / INPUT_SCALE
         lower, upper = actuation.free_bounds(lower, upper)
         return lower.ravel(), upper.ravel()
 
@@ -61,6 +65,8 @@ class InputBox:
         limit[:, FORCES] *= np.sqrt(1 - (RESERVE * np.minimum(lateral_demand, 1)) ** 2)
         return limit
 
-    def clip(self, u: Array) -> Array:
-        """The inputs (..., 5) that there are, within the largest magnitudes."""
-        return self.blocking.actuation.within(u, self.largest)
+    def clip(self, inputs: Array) -> Array:
+        """The inputs (Np, 5) that there are, within the largest magnitudes; first those that are held."""
+        clipped = self.blocking.actuation.within(inputs, self.largest)
+        clipped[: len(self.held)] = self.held
+        return clipped
