@@ -86,7 +86,7 @@ def _as_printed(scenario: Scenario, plant: str) -> AsPrintedController:
 
 
 def _driver(scenario: Scenario, plant: str) -> DriverController:
-    return DriverController(scenario.ego.to_vehicle(), scenario.road.friction, actuation_of(scenario))
+    return DriverController(scenario.ego.to_vehicle(), scenario.road.friction, actuation_of(scenario, plant))
 
 
 def planar_plant(vehicle: Vehicle, friction: Friction, step: float, n_substeps: int) -> PlanarPlant:
