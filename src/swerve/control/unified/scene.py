@@ -66,7 +66,6 @@ class Place:
         highest = np.inf if left is None else left - self.reach(Side.LEFT) - self.margin
         return lowest, highest
 
-
     def lanes(self, y: float) -> tuple[float, float]:
         """Smallest and largest Y of the centre of gravity in the lanes of `y` and the goal; infinite without lanes."""
         width = self.road.lane_width
