@@ -120,7 +120,10 @@ def _mildest(candidates: Sequence[Candidate], committed: Candidate | None) -> Ch
 
 
 def _why(best: Candidate, candidates: Sequence[Candidate]) -> str:
-    better = [each for each in candidates if each.faults == best.faults]
-    if len(better) > 1:
-        return "the cheapest that is clear" if not best.faults[0] else "the cheapest, though none is clear"
-    return "the only one that is clear" if not best.faults[0] else "the one that misses least"
+    equals = [each for each in candidates if each.faults == best.faults]
+    if best.faults[0] > 0:
+        return "the cheapest, though none is clear" if len(equals) > 1 else "the one that misses least"
+    if len(equals) > 1:
+        return "the cheapest that is clear"
+    is_alone = all(each.faults[0] > 0 for each in candidates if each is not best)
+    return "the only one that is clear" if is_alone else "the only clear one that stays on the road and in its lane"

@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 SHORTEST_LOOK = 3.4  # [s] as far as a plan sees with its tail
 REACTION = 1.5  # [s] that is added to the time of a stop to look for what is in the path
 LEAVING_SPEED = 0.7  # [m/s] sideways
+OFF_MIDDLE = 0.7  # [m]
 LANE_LEFT = 0.3  # [m] beyond a lane's line that leaves the lane
 BESIDE = 6.0  # [m] a swerve may meet what is no further from the path
 LEAVING = 1.5  # [m] what was in the path is so until it is passed with more than that
@@ -105,9 +106,11 @@ class Scene:
 
     @property
     def is_leaving(self) -> bool:
-        """Whether the vehicle moves sideways too fast to be said to stay in its lane."""
+        """Whether the vehicle moves sideways too fast, or is too far off the middle, to be said to stay in its lane."""
         sideways = np.sin(self.start[PSI]) * self.start[VX] + np.cos(self.start[PSI]) * self.start[VY]
-        return bool(abs(sideways) > LEAVING_SPEED)
+        width = self.place.road.lane_width or np.inf
+        off_middle = abs(self.start[Y] - width * round(self.start[Y] / width)) if np.isfinite(width) else 0.0
+        return bool(abs(sideways) > LEAVING_SPEED or off_middle > OFF_MIDDLE)
 
     @property
     def speed(self) -> float:
