@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Final, NoReturn, TextIO
 
 from swerve import __version__
-from swerve.commands import manoeuvres
+from swerve.commands import criticality, limit, manoeuvres
 from swerve.errors import InputError, SwerveError, unknown
 
 INTERRUPTED: Final = 130  # 128 + SIGINT, as shells have it
@@ -101,6 +101,8 @@ def _parser() -> argparse.ArgumentParser:
         "--out", type=Path, default=Path("swerve-reproduction"), metavar="DIR", help="where to [swerve-reproduction]"
     )
     manoeuvres.add_commands(commands)
+    limit.add_commands(commands)
+    criticality.add_command(commands)
     return parser
 
 

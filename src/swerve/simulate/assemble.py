@@ -1,10 +1,14 @@
 """From a scenario's words to the objects that run: controllers and plants by name."""
 
 from collections.abc import Callable
+from dataclasses import fields
 from typing import Any, Final
 
 from swerve.control import Controller, Goal, Horizon, Latency, Weights
 from swerve.control.as_printed import AsPrintedController, AsPrintedSettings
+from swerve.control.brake import BrakeController, BrakeSettings
+from swerve.control.hierarchical import HierarchicalController, HierarchicalSettings
+from swerve.control.nonlinear import NonlinearController, NonlinearSettings
 from swerve.control.unified import UnifiedController, UnifiedSettings
 from swerve.errors import InputError, unknown
 from swerve.plant import MultibodyPlant, PlanarPlant, Plant
@@ -62,6 +66,38 @@ def _as_printed(scenario: Scenario, plant: str) -> AsPrintedController:
     return AsPrintedController(settings=settings, **_shared(scenario, plant))
 
 
+def _brake(scenario: Scenario, plant: str) -> BrakeController:
+    told = _shared(scenario, plant)
+    del told["weights"]  # it minimises nothing
+    return BrakeController(
+        footprint=scenario.ego.to_footprint(),
+        latency=_latency(scenario, plant),
+        settings=BrakeSettings(**scenario.controller.brake.model_dump()),
+        **told,
+    )
+
+
+def _hierarchical(scenario: Scenario, plant: str) -> HierarchicalController:
+    return HierarchicalController(
+        footprint=scenario.ego.to_footprint(),
+        road=scenario.road.to_world(),
+        latency=_latency(scenario, plant),
+        settings=HierarchicalSettings(**scenario.controller.hierarchical.model_dump()),
+        **_shared(scenario, plant),
+    )
+
+
+def _nonlinear(scenario: Scenario, plant: str) -> NonlinearController:
+    both = scenario.controller.unified.model_dump() | scenario.controller.nonlinear.model_dump()
+    return NonlinearController(
+        footprint=scenario.ego.to_footprint(),
+        latency=_latency(scenario, plant),
+        settings=NonlinearSettings(**{each.name: both[each.name] for each in fields(NonlinearSettings)}),
+        shapes=[obstacle.to_world().shape for obstacle in scenario.obstacles],
+        **_shared(scenario, plant),
+    )
+
+
 def planar_plant(vehicle: Vehicle, friction: Friction, step: float, n_substeps: int) -> PlanarPlant:
     """The planar plant for a vehicle of the library; InputError on a road with patches."""
     if friction.patches:
@@ -99,7 +135,13 @@ def sensor_of(scenario: Scenario) -> Sensor:
 
 ControllerBuilder = Callable[[Scenario, str], Controller[Any]]
 
-CONTROLLERS: Final[dict[str, ControllerBuilder]] = {"unified": _unified, "as-printed": _as_printed}
+CONTROLLERS: Final[dict[str, ControllerBuilder]] = {
+    "unified": _unified,
+    "as-printed": _as_printed,
+    "brake": _brake,
+    "hierarchical": _hierarchical,
+    "nonlinear": _nonlinear,
+}
 PLANTS: Final[dict[str, Callable[[Scenario], Plant]]] = {"planar": _planar, "multibody": _multibody}
 DEFAULT_CONTROLLER: Final = "unified"
 DEFAULT_PLANT: Final = "multibody"
