@@ -9,7 +9,7 @@ PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test lint bench numbers docs clean
+.PHONY: help demo test lint bench numbers library pictures docs clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST) | expand -t 14
@@ -17,7 +17,7 @@ help: ## list the targets
 demo: $(VENV)/.installed ## drive the paper's scenario; a table here, figures in demo/
 	$(BIN)/swerve run paper --out demo
 
-test: $(VENV)/.installed-dev ## run the tests
+test: $(VENV)/.installed-dev $(VENV)/.browser ## run the tests
 	$(BIN)/python -m pytest -n 2
 
 lint: $(VENV)/.installed-dev ## check style, format, types and the layers' imports
@@ -33,6 +33,14 @@ numbers: $(VENV)/.installed ## measure the tables and figures that the documenta
 	$(BIN)/swerve reproduce --out build/paper
 	mkdir -p docs/measured
 	cp build/paper/*.md build/paper/*.png docs/measured/
+
+library: $(VENV)/.installed ## write the documentation's page of the scenario library
+	$(BIN)/python docs/hooks/library.py > docs/library.md
+
+pictures: $(VENV)/.installed-dev $(VENV)/.browser ## photograph a run's report for the documentation
+	$(BIN)/swerve run paper --out build/pictures
+	mkdir -p docs/measured
+	$(BIN)/python docs/hooks/pictures.py build/pictures/report.html docs/measured
 
 docs: $(VENV)/.installed-docs ## build the documentation into site/
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict
@@ -58,3 +66,10 @@ $(VENV)/.installed-%: pyproject.toml | $(BIN)/python
 	@echo "Installing swerve and its $* tools into $(VENV)"
 	$(PIP_INSTALL) --editable '.[$*]'
 	@touch $@
+
+# A browser for the report's page: the machine's own, else Debian's, else Playwright's. Without one its tests are skipped.
+$(VENV)/.browser: | $(VENV)/.installed-dev
+	@if which chromium chromium-browser google-chrome | grep -q . || \
+		{ [ "$$(id -u)" = 0 ] && which apt-get && apt-get update -qq && apt-get install -qq -y chromium; } || \
+		$(BIN)/playwright install chromium; \
+	then touch $@; else echo "No browser could be installed: the tests of the report in one are skipped" >&2; fi

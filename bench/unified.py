@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 
 from bench.statistic import Statistic, durations
 from bench.stopwatch import Step, Stopwatch, Target, recording
-from swerve.control.unified import UnifiedController, branch
+from swerve.control.unified import Formulation, UnifiedController, improve, situation
 from swerve.control.unified.prediction import PredictionModel
 from swerve.control.unified.program import Program
+from swerve.control.unified.tail import Tail
 from swerve.conventions import N_INPUTS
 from swerve.kernel import Kernel
 from swerve.plant import PlanarPlant
@@ -23,12 +24,16 @@ Array = NDArray[np.float64]
 
 STEP: Final[Target] = (UnifiedController, "step")
 PARTS: Final[Mapping[str, Sequence[Target]]] = {
-    "roll out guesses": [(branch.Situation, "roll_out")],
+    "look at the scene": [(Formulation, "scene")],
+    "price the ways": [(Formulation, "price")],
+    "set up the ways": [(Formulation, "situation")],
+    "roll out guesses": [(situation.Situation, "roll_out")],
     "linearise": [(PredictionModel, "linearise")],
-    "condense": [(branch, "condense")],
+    "condense": [(situation, "condense")],
+    "derive the tail": [(Tail, "sensitivities")],
     "build the QP": [(Program, "convex")],
-    "solve the QP": [(branch, "solve")],
-    "accept": [(branch, "accept")],
+    "solve the QP": [(improve, "solve")],
+    "accept": [(improve, "accept")],
 }
 KERNELS: Final[Mapping[str, Target]] = {
     "roll-out": (PredictionModel, "roll_out"),
@@ -68,7 +73,7 @@ def kernel_calls(scenario: Scenario) -> dict[str, tuple[Statistic, Statistic]]:
 
 def problems(scenario: Scenario) -> list[Problem]:
     """The quadratic programs of one run, in order."""
-    with recording((branch, "solve")) as calls:
+    with recording((improve, "solve")) as calls:
         drive(scenario)
     return [problem for problem, *_ in calls]
 

@@ -17,8 +17,10 @@ import pytest
 import swerve
 from swerve.cli import main
 from swerve.report import ablation_table
-from swerve.scenario import Scenario, library_names
+from swerve.scenario import FAMILIES, Scenario, library_names
+from swerve.simulate import Run
 from tests.report.results import ABLATION, RESULT
+from tests.report.runs import made
 
 Outputs = pytest.CaptureFixture[str]
 
@@ -32,14 +34,14 @@ class FakeSimulation:
 
     def __call__(
         self, scenario: Scenario, controller: str, plant: str, seed: int, progress: Callable[[float], None]
-    ) -> SimpleNamespace:
+    ) -> Run:
         """A run that was avoided."""
         if self.interrupt:
             raise self.interrupt
         progress(0.5)
         self.calls.append((scenario, controller, plant, seed))
         names = {"scenario": scenario.name, "controller": controller, "plant": plant, "seed": seed}
-        return SimpleNamespace(result=replace(RESULT, **names))
+        return replace(made(), result=replace(RESULT, **names))
 
 
 @pytest.fixture
@@ -177,14 +179,16 @@ def test_output_that_cannot_be_written_is_told_before_anything_is_run(
 
 
 def test_scenarios_are_listed(capsys: Outputs) -> None:
-    """`scenarios` prints a line for each of the library's, with what it is for; --json the same as a list."""
+    """`scenarios` prints a line for each scene and each family, with what it is for; --json all of them as a list."""
     assert main(["scenarios"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in lines] == library_names()
+    assert [line.split()[0] for line in lines] == [*library_names(), *(family.pattern for family in FAMILIES)]
     assert all(len(line) < 120 and len(line.split()) > 3 for line in lines)
     assert main(["scenarios", "--json"]) == 0
     listed = json.loads(capsys.readouterr().out)
-    assert [set(each) for each in listed] == [{"name", "description", "source"}] * len(lines)
+    members = [name for family in FAMILIES for name in family.members]
+    assert [each["name"] for each in listed] == [*library_names(), *members]
+    assert all(set(each) == {"name", "description", "source"} for each in listed)
 
 
 @pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"], ["scenarios", "--help"], ["reproduce", "--help"]])

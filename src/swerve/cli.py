@@ -11,16 +11,18 @@ import json
 import os
 import sys
 from collections.abc import Iterable, Sequence
+from io import StringIO
 from pathlib import Path
 from typing import Final, NoReturn, TextIO
 
 from swerve import __version__
-from swerve.commands import criticality, limit, manoeuvres
+from swerve.commands import criticality, export, limit, manoeuvres
 from swerve.errors import InputError, SwerveError, unknown
 
 INTERRUPTED: Final = 130  # 128 + SIGINT, as shells have it
 BROKEN_PIPE: Final = 141  # 128 + SIGPIPE
 RUN_SHARE: Final = 0.3  # of the time that a run with files takes, what the run itself takes [1]
+EXPORT_SHARE: Final = 0.4  # likewise its exports, where there are any [1]
 REPRODUCE_SHARE: Final = 0.8  # likewise of a reproduction [1]
 
 
@@ -82,7 +84,10 @@ def _parser() -> argparse.ArgumentParser:
     )
     run.add_argument("--seed", type=_seed, default=0, help="of all that is random [0]")
     run.add_argument("--out", type=Path, metavar="DIR", help="write result, log, scenario and figures there")
+    run.add_argument("--export", metavar="FORMAT[,FORMAT]", help="write csv, mcap, mf4, gif, webp or mp4 there, too")
     run.add_argument("--json", action="store_true", help="print the result as one JSON object")
+    run.add_argument("--explain", action="store_true", help="say when the decision changed, and why")
+    run.add_argument("--quiet", action="store_true", help="print errors alone, and with --json the result")
     run.add_argument("--require", metavar="OUTCOME", help="exit with status 1 at any other outcome")
 
     scenarios = commands.add_parser("scenarios", help="list the library of scenarios", allow_abbrev=False)
@@ -100,6 +105,7 @@ def _parser() -> argparse.ArgumentParser:
     reproduce.add_argument(
         "--out", type=Path, default=Path("swerve-reproduction"), metavar="DIR", help="where to [swerve-reproduction]"
     )
+    export.add_command(commands)
     manoeuvres.add_commands(commands)
     limit.add_commands(commands)
     criticality.add_command(commands)
@@ -121,18 +127,33 @@ def _run(options: argparse.Namespace) -> int:
     controller = _checked("controller", options.controller, CONTROLLERS) or DEFAULT_CONTROLLER
     plant = _checked("plant", options.plant, PLANTS) or DEFAULT_PLANT
     required = _checked("outcome", options.require, [outcome.value for outcome in Outcome], option="require")
-    from swerve.report import Progress, prepare_output, result_json, result_table, write_run
+    from swerve.report import Console, Progress, prepare_output, result_json, run_summary, write_run
+    from swerve.report.exports import formats_named, write_exports
 
+    formats = [] if options.export is None else formats_named(options.export, "--export")
     paths: list[Path] = []
     if options.out is not None:
         prepare_output(options.out)
-    with Progress(sys.stderr) as progress:
+    elif formats:
+        raise InputError(f"--export {options.export}: there is no folder to write to; add --out DIR")
+    with Progress(StringIO() if options.quiet else sys.stderr) as progress:
         share = 1.0 if options.out is None else RUN_SHARE
         done = run(scenario, controller, plant, options.seed, progress.part(0.0, share))
         if options.out is not None:
-            paths = write_run(done, options.out, progress.part(share, 1.0))
-    print(result_json(done.result) if options.json else result_table(done.result))
-    _print_paths(paths, sys.stderr if options.json else sys.stdout)
+            written = 1.0 - EXPORT_SHARE if formats else 1.0
+            paths = write_run(done, options.out, progress.part(share, written))
+            paths += write_exports(done, formats, options.out, progress.part(written, 1.0)) if formats else []
+    if options.json:
+        print(result_json(done.result))
+    elif not options.quiet:
+        print(run_summary(done, Console.of(sys.stdout)))
+    notes = sys.stderr if options.json else sys.stdout
+    if options.explain:
+        from swerve.report.explain import explanation
+
+        print(explanation(done), file=notes)
+    if not options.quiet:
+        _print_paths(paths, notes)
     outcome = done.result.outcome.value
     if required in (None, outcome):
         return 0
@@ -141,15 +162,17 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _scenarios(options: argparse.Namespace) -> int:
-    from swerve.scenario import library_names, load
+    from swerve.scenario import FAMILIES, library_names, load
 
     library = [load(name) for name in library_names()]
     if options.json:
+        library += [load(name) for family in FAMILIES for name in family.members]
         print(json.dumps([each.model_dump(include={"name", "description", "source"}) for each in library]))
         return 0
-    width = max(len(each.name) for each in library)
-    for each in library:
-        print(f"{each.name:{width}}  {each.description}")
+    lines = [(each.name, each.description) for each in library]
+    lines += [(family.pattern, f"{family.title}: {family.ranges}") for family in FAMILIES]
+    width = max(len(name) for name, _ in lines)
+    print("\n".join(f"{name:{width}}  {description}" for name, description in lines))
     return 0
 
 

@@ -19,6 +19,7 @@ VX, VY, R, PSI, X, Y = range(6)
 
 INPUTS: Final = ("delta", "Fx_fl", "Fx_fr", "Fx_rl", "Fx_rr")
 INPUT_UNITS: Final = ("rad", "N", "N", "N", "N")
+POSE: Final = [X, Y, PSI]
 DELTA: Final = 0
 FORCES: Final = slice(1, 5)
 

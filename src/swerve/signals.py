@@ -3,13 +3,14 @@
 Each is frozen; the arrays inside are read-only by agreement.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swerve.conventions import DELTA, FORCES, N_INPUTS
-from swerve.world import Obstacle, Shape
+from swerve.world import Obstacle, Shape, Steady
 
 Array = NDArray[np.float64]
 
@@ -42,6 +43,27 @@ class Command:
 
 
 @dataclass(frozen=True)
+class DriverInput:
+    """What a driver asks for; its numbers may be any, nan included.
+
+    Attributes:
+        steering_angle: road-wheel angle delta that the steering wheel stands for [rad].
+        force: longitudinal force of all wheels together that the pedals stand for; braking is negative [N].
+    """
+
+    steering_angle: float
+    force: float
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether both numbers are finite, and neither larger than ABSURD."""
+        return _is_sane([self.steering_angle, self.force])
+
+
+Driver = Callable[[float, Array], DriverInput]  # (time [s], true vehicle state (6,)) -> input; a pure function
+
+
+@dataclass(frozen=True)
 class Observation:
     """One obstacle as it was seen; its numbers may be any, nan included.
 
@@ -64,7 +86,7 @@ class Observation:
 
     def as_obstacle(self) -> Obstacle:
         """The obstacle that keeps on as seen; ValueError when a number is not finite."""
-        return Obstacle(self.shape, self.position, self.velocity, self.heading)
+        return Obstacle(self.shape, Steady(self.position, self.velocity, self.heading))
 
 
 @dataclass(frozen=True)
@@ -77,6 +99,7 @@ class Measurement:
         state: (6,) vehicle state [vx vy r psi X Y].
         wheel_loads: (4,) vertical tyre loads [N].
         obstacles: as seen at `stamp`; nothing of their future.
+        driver: what the driver asked for at `stamp`; None where nobody sits at the wheel.
     """
 
     time: float
@@ -84,12 +107,14 @@ class Measurement:
     state: Array
     wheel_loads: Array
     obstacles: tuple[Observation, ...]
+    driver: DriverInput | None = None
 
     @property
     def is_finite(self) -> bool:
         """Whether every number in it is finite, and none larger than ABSURD."""
         own = np.concatenate([self.state, self.wheel_loads, (self.time, self.stamp)])
-        return _is_sane(own) and all(seen.is_finite for seen in self.obstacles)
+        seen = (*self.obstacles, *(() if self.driver is None else (self.driver,)))
+        return _is_sane(own) and all(each.is_finite for each in seen)
 
 
 def _is_sane(numbers: ArrayLike) -> bool:

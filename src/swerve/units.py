@@ -40,7 +40,7 @@ DIMENSIONS: Final[Mapping[str, Dimension]] = {
     "time": Dimension("a time", "50 ms", {"s": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0}),
     "length": Dimension("a length", "25 m", {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048, "in": 0.0254}),
     "speed": Dimension("a speed", "72 km/h", {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704, "kn": 1852 / 3600}),
-    "acceleration": Dimension("an acceleration", "-4 m/s^2", {"m/s^2": 1.0}),
+    "acceleration": Dimension("an acceleration", "-4 m/s^2", {"m/s^2": 1.0, "g": 9.80665}),
     "angle": Dimension("an angle", "5 deg", {"rad": 1.0, "mrad": 1e-3, "deg": _DEGREE}),
     "angular speed": Dimension("an angular speed", "20 deg/s", {"rad/s": 1.0, "deg/s": _DEGREE}),
     "mass": Dimension("a mass", "1600 kg", {"kg": 1.0, "g": 1e-3, "t": 1e3, "lb": 0.45359237}),

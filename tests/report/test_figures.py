@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from swerve.report.figures import FIGURES, states, steering, top_view, wheel_forces, writers
 from swerve.report.figures.strips import cut
 from swerve.simulate import Log, Run, Table
-from tests.report.runs import FAILING, MOST_SHOWN, made
+from tests.report.runs import FAILING, MOST_SHOWN, ONCOMING, made
 
 Array = NDArray[np.float64]
 
@@ -33,6 +33,7 @@ def _diverged() -> Run:
 RUNS: dict[str, Callable[[], Run]] = {
     "static obstacle": lambda: made(controller="unified"),
     "lanes, boxes, one moving": lambda: made(*MOST_SHOWN, controller="unified"),
+    "an oncoming lane, one turning, one braking": lambda: made(*ONCOMING),
     "programs without a solution": lambda: made(FAILING),
     "no obstacle, one sample": lambda: made("obstacles=[]", "duration=0.05 s"),
     "at rest": lambda: made("ego.speed=0", "goal.speed=0"),
@@ -109,6 +110,37 @@ def test_the_top_view_is_to_scale() -> None:
     np.testing.assert_allclose(scales, scales[0])
     ends = [axes.get_xlim() for axes in figure.axes]
     assert [right for _, right in ends[:-1]] == [left for left, _ in ends[1:]]
+
+
+def test_the_top_view_shows_obstacles_turned_as_they_are() -> None:
+    """A box on a curve is drawn at every quarter of a second, its long side along the velocity of that instant."""
+    done = made(*ONCOMING)
+    van = done.scenario.obstacles[0].to_world()
+    boxes = [
+        corners for corners in _polygons(top_view(done).axes[0], 4) if np.isclose(np.ptp(corners, 0).max(), 4.0, 0.3)
+    ]
+    sides = [(corners.mean(axis=0), corners[0] - corners[1]) for corners in boxes]
+    for time in np.arange(0.0, 1.1, 0.25):
+        middle, velocity = van.position_at(time), van.velocity_at(time)
+        along = [side / 4.0 for centre, side in sides if np.allclose(centre, middle, atol=1e-6)]
+        assert len(along) == 1
+        np.testing.assert_allclose(along[0], velocity / np.hypot(*velocity), atol=1e-6)
+
+
+def test_the_top_view_parts_the_directions_with_a_double_line() -> None:
+    """The line to the oncoming lane is two unbroken ones; without oncoming traffic it is one, broken."""
+    for overrides, n_lines in ((ONCOMING, 2), (("road.lane_width=3.5",), 1)):
+        lines = [line for line in top_view(made(*overrides)).axes[0].lines if np.ptp(line.get_ydata()) == 0]
+        near = [line for line in lines if abs(line.get_ydata()[0] - 1.75) < 0.5]
+        assert len(near) == n_lines
+        assert all(line.is_dashed() == (n_lines == 1) for line in near)
+
+
+def test_the_top_view_names_obstacles_that_have_a_name() -> None:
+    """A name is written as it is, but for letters that the font may not have; who has none is not named."""
+    axes = top_view(made(*ONCOMING)).axes[0]
+    named = [text.get_text() for text in axes.texts if not text.get_text().endswith(" s")]
+    assert named == ["van $1_?"]
 
 
 def test_the_top_view_has_a_body_every_quarter_of_a_second() -> None:

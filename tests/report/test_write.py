@@ -15,7 +15,7 @@ from tests.report.results import ABLATION
 from tests.report.runs import made
 
 PAGES = {"top_view", "states", "wheel_forces", "steering"}
-RUN_FILES = {"result.json", "scenario.toml", "motion.parquet", "steps.parquet"}
+RUN_FILES = {"result.json", "scenario.toml", "motion.parquet", "steps.parquet", "report.html"}
 RUN_FILES |= {f"{page}.{suffix}" for page in PAGES for suffix in ("png", "pdf")}
 
 

@@ -5,6 +5,8 @@ import pytest
 from swerve.errors import InputError
 from swerve.scenario import load
 
+WAYPOINTS = "waypoints=[{time=0, position=[60, 0]}, {time=2, position=[70, 0]}]"
+
 # what --set sets; what follows "--set ...: " in the message
 REFUSED = [
     ("road.frictoin=0.4", "road.frictoin: unknown key; did you mean road.friction?"),
@@ -30,21 +32,76 @@ REFUSED = [
     ("ego.vehicle=7", "ego.vehicle: unknown vehicle 7; write one of d-class-sedan"),
     ("ego.parameters.mass=-5 kg", "ego.parameters.mass: must be positive, got -5"),
     ("ego.parameters.mass=5 m", "ego.parameters.mass: '5 m' is not a mass; write"),
-    ("ego.parameters.name=x", "ego.parameters.name: unknown key; did you mean name or ego.tyre.name?"),
+    ("ego.parameters.name=x", "ego.parameters.name: unknown key; did you mean name or ego.tyre.name or obst"),
     ("ego=5", "ego: 5 is not a table; write a table [ego]"),
     ("road.friction=-1", "road.friction: -1 is out of range; write more than 0 and at most 2"),
     ("road.friction=0", "road.friction: 0 is out of range; write"),
     ("road.friction=2.1", "road.friction: 2.1 is out of range; write"),
     ("road.lanes_left=2", 'road.lanes_left: means nothing without a width; write lane_width = "3.5 m" too'),
+    ("road.lanes_oncoming=1", "road.lanes_oncoming: means nothing without a width; write"),
+    (
+        "road={friction=0.8, lane_width=3, lanes_oncoming=2}",
+        "road.lanes_oncoming: is 2 of 1 lanes on the left; write at most as many as there are",
+    ),
     ("road.lane_width=0", "road.lane_width: 0 is out of range; write more than 0 m"),
     ("obstacles.0.semi_axes=[2, 0]", "obstacles.0.semi_axes.1: 0 is out of range; write more than 0 m"),
     ("obstacles.0.size=[4, 2]", "obstacles.0.size: is given beside semi_axes; write one of them"),
     ("obstacles.0={position=[25, 0]}", "obstacles.0.semi_axes: missing; write semi_axes ="),
-    ("obstacles.0.zzz=3", "obstacles.0.zzz: unknown key; the keys here are position"),
+    ("obstacles.0.zzz=3", "obstacles.0.zzz: unknown key; the keys here are name, position"),
     ("obstacles.0={size=[4, 2]}", 'obstacles.0.position: missing; write one such as position = ["25 m", "0 m"]'),
     (
         "obstacles.0.position=[1, 1]",
         "obstacles.0.position: the obstacle covers the ego vehicle at its start, (0 m, 0 m)",
+    ),
+    (
+        'obstacles=[{name="a van", semi_axes=[2, 2], position=[1, 1]}]',
+        "obstacles.0.position: the obstacle 'a van' covers the ego vehicle at its start, (0 m, 0 m)",
+    ),
+    (
+        f"obstacles=[{{size=[4, 2], {WAYPOINTS.replace('60', '1')}}}]",
+        "obstacles.0.waypoints: the obstacle covers the ego vehicle at its start, (0 m, 0 m)",
+    ),
+    ("obstacles.0.final_speed=3", "obstacles.0.final_speed: means nothing without an acceleration; write accel"),
+    ("obstacles.0.accelerates_at=3", "obstacles.0.accelerates_at: means nothing without an acceleration; write accel"),
+    ('obstacles.0.acceleration=["4 m", 0]', "obstacles.0.acceleration.0: '4 m' is not an acceleration; write"),
+    ("obstacles.0.moves_at=1 s", "obstacles.0.moves_at: means nothing without a velocity; write velocity ="),
+    (
+        "obstacles=[{size=[4, 2], position=[40, 0], velocity=[9, 0], acceleration=[-2, 0], moves_at=1}]",
+        "obstacles.0.moves_at: is given beside acceleration; write one of them, or waypoints",
+    ),
+    (
+        "obstacles=[{size=[4, 2], position=[40, 0], velocity=[9, 0], acceleration=[-2, 0], final_speed=10}]",
+        "obstacles.0.final_speed: of 10 m/s is never reached from 9 m/s at -2 m/s^2 along its direction; write",
+    ),
+    *(
+        (
+            f"obstacles=[{{size=[4, 2], {WAYPOINTS}, {key}={value}}}]",
+            f"obstacles.0.{key}: is given beside waypoints, which tell the whole motion; write one of them",
+        )
+        for key, value in (
+            ("position", "[9, 0]"),
+            ("velocity", "[9, 0]"),
+            ("acceleration", "[1, 0]"),
+            ("accelerates_at", "1"),
+            ("final_speed", "1"),
+            ("moves_at", "1"),
+        )
+    ),
+    (
+        "obstacles=[{size=[4, 2], waypoints=[{time=0, position=[60, 0]}]}]",
+        "obstacles.0.waypoints: is a single one; write at least two, or position and velocity",
+    ),
+    (
+        f"obstacles=[{{size=[4, 2], {WAYPOINTS.replace('time=2', 'time=0')}}}]",
+        "obstacles.0.waypoints.1.time: 0 s is not after the one before it, 0 s; write them in the order",
+    ),
+    (
+        f"obstacles=[{{size=[4, 2], {WAYPOINTS.replace('time', 'tim')}}}]",
+        "obstacles.0.waypoints.0.tim: unknown key; did you mean obstacles.0.waypoints.0.time?",
+    ),
+    (
+        "obstacles=[{size=[4, 2], waypoints=[{position=[60, 0]}, {time=1, position=[70, 0]}]}]",
+        'obstacles.0.waypoints.0.time: missing; write one such as time = "0 s"',
     ),
     ("duration=0 s", "duration: '0 s' is out of range; write more than 0 s and at most 300 s"),
     ("duration=1e9", "duration: 1000000000.0 is out of range; write"),

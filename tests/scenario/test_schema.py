@@ -6,7 +6,7 @@ import pytest
 from pydantic import ValidationError
 
 from swerve.scenario import load
-from swerve.world import Ellipse, Point, Rectangle
+from swerve.world import Accelerating, AlongWaypoints, Ellipse, Motion, Obstacle, Point, Rectangle, Steady, Waiting
 
 
 def test_quantities_become_si() -> None:
@@ -19,9 +19,48 @@ def test_quantities_become_si() -> None:
 def test_an_obstacle_is_an_ellipse_or_a_rectangle_of_the_world() -> None:
     """`semi_axes` gives an ellipse, `size` a rectangle, each with its place and motion."""
     ellipse = load("slower-lead").obstacles[0].to_world()
-    assert (ellipse.shape, ellipse.position, ellipse.velocity) == (Ellipse((2.5, 2.0)), (25.0, 0.0), (10.0, 0.0))
+    assert ellipse == Obstacle(Ellipse((2.5, 2.0)), Steady((25.0, 0.0), (10.0, 0.0)))
     box = load("paper", ['obstacles.0={position=["25 m", 0], size=[4, 1.7], heading="90 deg"}']).obstacles[0].to_world()
-    assert (box.shape, box.heading) == (Rectangle(4.0, 1.7), math.pi / 2)
+    assert box == Obstacle(Rectangle(4.0, 1.7), Steady((25.0, 0.0), heading=math.pi / 2))
+
+
+MOTIONS = [
+    ('position=["40 m", 0], velocity=["36 km/h", 0]', Steady((40.0, 0.0), (10.0, 0.0))),
+    (
+        'position=["40 m", 0], velocity=["36 km/h", 0], acceleration=["-4 m/s2", 0], accelerates_at="1500 ms"',
+        Accelerating((40.0, 0.0), (10.0, 0.0), 0.0, (-4.0, 0.0), 1.5),
+    ),
+    (
+        'position=["40 m", 0], acceleration=["0.5 g", 0], final_speed="18 km/h"',
+        Accelerating((40.0, 0.0), (0.0, 0.0), 0.0, (0.5 * 9.80665, 0.0), 0.0, 5.0),
+    ),
+    (
+        'position=["40 m", -4], velocity=[0, "1.5 m/s"], heading="90 deg", moves_at="1 s"',
+        Waiting((40.0, -4.0), (0.0, 1.5), math.pi / 2, 1.0),
+    ),
+    (
+        'waypoints=[{time="-1 s", position=["60 m", "3.5 m"]}, {time="2 s", position=["90 m", 0]}]',
+        AlongWaypoints((-1.0, 2.0), ((60.0, 3.5), (90.0, 0.0))),
+    ),
+    (
+        'waypoints=[{time=0, position=[60, 3]}, {time=2, position=[90, 0]}], heading="5 deg"',
+        AlongWaypoints((0.0, 2.0), ((60.0, 3.0), (90.0, 0.0)), math.radians(5)),
+    ),
+]
+
+
+@pytest.mark.parametrize(("keys", "motion"), MOTIONS, ids=[type(motion).__name__ for _, motion in MOTIONS])
+def test_the_keys_of_an_obstacle_tell_its_motion(keys: str, motion: Motion) -> None:
+    """Each motion has keys of its own, in any unit, and what is not written has the documented default."""
+    obstacle = load("paper", [f"obstacles=[{{size=[4, 2], {keys}}}]"]).obstacles[0].to_world()
+    assert obstacle == Obstacle(Rectangle(4.0, 2.0), motion)
+
+
+def test_oncoming_lanes_are_the_outermost_on_the_left() -> None:
+    """Of two lanes on the left one may carry oncoming traffic, beyond a line a lane further out than the own."""
+    road = ("road.lane_width=3.5 m", "road.lanes_left=2")
+    assert load("paper", road).road.to_world().oncoming_edge is None
+    assert load("paper", [*road, "road.lanes_oncoming=1"]).road.to_world().oncoming_edge == 5.25
 
 
 def test_the_footprint_is_a_point_or_the_vehicle_s_box() -> None:

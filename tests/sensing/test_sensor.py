@@ -9,12 +9,12 @@ from swerve.scenario import load
 from swerve.sensing import Noise, Past, Sensor, Truth
 from swerve.simulate import run
 from swerve.vehicle import vehicle_named
-from swerve.world import Ellipse, Obstacle
+from swerve.world import Accelerating, AlongWaypoints, Ellipse, Obstacle, Steady, Waiting
 
 STEP, N = 0.01, 5
 SEDAN = vehicle_named("d-class-sedan")
 IDEAL = Sensor(delay=0.0, noise=Noise(), estimates_loads=False, vehicle=SEDAN)
-LEAD = Obstacle(Ellipse((2.0, 1.0)), (30.0, 0.0), velocity=(10.0, -1.0))
+LEAD = Obstacle(Ellipse((2.0, 1.0)), Steady((30.0, 0.0), velocity=(10.0, -1.0)))
 
 
 def past(samples: int) -> Past:
@@ -58,6 +58,23 @@ def test_a_delayed_measurement_is_the_truth_of_its_stamp(delay: float) -> None:
     np.testing.assert_allclose(seen.state[4], 20 * seen.stamp)
     np.testing.assert_allclose(seen.wheel_loads, seen.stamp / STEP)
     assert seen.obstacles[0].position == pytest.approx((30 + 10 * seen.stamp, -seen.stamp))
+
+
+def test_a_measurement_knows_nothing_of_what_the_obstacle_will_do() -> None:
+    """Of a braking, turning or waiting obstacle it has velocity and heading of the stamp, and keeps them."""
+    curve = AlongWaypoints((0.0, 1.0, 2.0), ((30.0, 0.0), (40.0, 1.0), (45.0, 5.0)))
+    braking = Accelerating((30.0, 0.0), (10.0, 0.0), 0.0, (-100.0, 0.0), accelerates_at=0.02)
+    waiting = Waiting((30.0, 3.0), (0.0, -2.0), 0.0, moves_at=0.06)
+    motions = (curve, braking, waiting)
+    seen = replace(IDEAL, delay=0.05).measure(
+        0.1, past(2), [Obstacle(Ellipse((2.0, 1.0)), motion) for motion in motions], generator()
+    )
+    assert [each.velocity for each in seen.obstacles[1:]] == [pytest.approx((7.0, 0.0)), (0.0, 0.0)]
+    for each, motion in zip(seen.obstacles, motions, strict=True):
+        assert each.velocity == pytest.approx(tuple(motion.velocity_at(0.05)))
+        assert each.heading == pytest.approx(float(motion.heading_at(0.05)))
+        ahead = each.as_obstacle().position_at(3.0) - motion.position_at(0.05)
+        np.testing.assert_allclose(ahead, 3.0 * motion.velocity_at(0.05))
 
 
 def test_before_the_first_delay_has_passed_the_start_is_what_is_known() -> None:

@@ -33,8 +33,8 @@ def trace(states: Array) -> Trace:
 
 
 def plan(side: Side | None = None, **named: Any) -> Plan:
-    """A plan of nothing."""
-    return Plan(0.0, np.zeros((1, 5)), np.zeros((0, 6)), side, **named)
+    """A plan of nothing; one with a side is shaped by an obstacle unless told otherwise."""
+    return Plan(0.0, np.zeros((1, 5)), np.zeros((0, 6)), side, **{"is_shaped": side is not None, **named})
 
 
 def recorded(

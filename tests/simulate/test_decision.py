@@ -22,6 +22,33 @@ def word(*steps: tuple[Command, Side | None]) -> str:
     return decision([command for command, _ in steps], [plan(side) for _, side in steps], GRIP, 0.05)
 
 
+def shaped(*steps: tuple[Command, bool]) -> str:
+    """The decision of these steps without a side, each shaped by an obstacle or not."""
+    plans = [plan(None, is_shaped=is_shaped) for _, is_shaped in steps]
+    return decision([command for command, _ in steps], plans, GRIP, 0.05)
+
+
+def test_braking_needs_no_side() -> None:
+    """A run that stays behind its obstacle brakes, however it moves its wheels; unshaped steps are only driving."""
+    assert shaped(*3 * [(steer(0.0, -0.5 * GRIP), True)]) == "brake"
+    assert shaped(*3 * [(steer(0.3, -0.5 * GRIP), True)]) == "brake"
+    assert shaped(*3 * [(steer(0.0, -0.5 * GRIP), False)]) == "none"
+    assert shaped((steer(0.0, -0.5 * GRIP), True), *9 * [(steer(0.0, -0.5 * GRIP), False)]) == "none"
+    assert shaped((COAST, True)) == "none"
+
+
+def test_a_side_that_no_obstacle_shaped_is_none() -> None:
+    """Steering to a side in steps that no obstacle shaped is only driving."""
+    assert decision([steer(0.1)], [plan(LEFT, is_shaped=False)], GRIP, 0.05) == "none"
+
+
+def test_braking_before_steering_is_both() -> None:
+    """First behind the obstacle, then past it: both words, the side that of the steps that have one."""
+    commands = [*3 * [steer(0.0, -0.5 * GRIP)], steer(-0.05)]
+    plans = [*3 * [plan(None, is_shaped=True, name="brake")], plan(RIGHT, name="right")]
+    assert decision(commands, plans, GRIP, 0.05) == "brake+steer-right"
+
+
 def test_no_obstacle_no_decision() -> None:
     """Where no obstacle shaped a plan, braking hard and steering far are only driving."""
     assert word((COAST, None)) == "none"

@@ -5,7 +5,7 @@ import pytest
 
 from swerve.simulate import Outcome
 from swerve.simulate.outcome import SPIN_SIDESLIP, decide, sideslip, touches
-from swerve.world import Ellipse, Obstacle, Point, Rectangle, Road
+from swerve.world import Ellipse, Obstacle, Point, Rectangle, Road, Steady
 from tests.simulate.recordings import recorded, straight
 
 CAR = Rectangle(4.85, 1.8)
@@ -97,7 +97,7 @@ def test_every_outcome_is_a_name_and_a_sentence() -> None:
 def test_an_ellipse_is_touched_where_rho_is_below_one(lateral: float, hit: bool) -> None:
     """A point that passes a disc of 2 m at 2.001 m does not touch it; at 1.999 m it does."""
     states = straight(lateral=lateral)
-    disc = Obstacle(Ellipse((2.0, 2.0)), (25.0, 0.0))
+    disc = Obstacle(Ellipse((2.0, 2.0)), Steady((25.0, 0.0)))
     contact = touches(disc, Point(), states[:, [4, 5, 3]], np.arange(len(states)) * 1e-3)
     assert contact.any() == hit
     if hit:
@@ -108,7 +108,7 @@ def test_an_ellipse_is_touched_where_rho_is_below_one(lateral: float, hit: bool)
 def test_a_box_is_touched_where_there_is_no_clearance(lateral: float, hit: bool) -> None:
     """A body of 1.8 m passes a box of 1.7 m at a distance of centres of 1.75 m or more."""
     states = straight(lateral=lateral)
-    box = Obstacle(Rectangle(4.0, 1.7), (25.0, 0.0))
+    box = Obstacle(Rectangle(4.0, 1.7), Steady((25.0, 0.0)))
     assert touches(box, CAR, states[:, [4, 5, 3]], np.arange(len(states)) * 1e-3).any() == hit
 
 

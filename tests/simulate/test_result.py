@@ -14,10 +14,11 @@ from swerve.simulate.result import Divergence
 from tests.simulate.recordings import COAST, plan, recorded, straight
 
 CONTRACT = """
-scenario controller plant seed version outcome min_distance_ratio min_clearance impact_speed decision
+scenario controller plant seed version outcome min_distance_ratio min_clearance impact_speed
+impact_obstacle oncoming_lane_time decision
 lateral_offset speed final_yaw_rate final_lateral_speed max_sideslip max_yaw_rate max_steer
 step_time steps fallback_steps solver_failures wall_time
-divergence
+divergence driver_deviation
 """
 
 
@@ -105,9 +106,35 @@ def test_impact_speed_knows_where_the_vehicle_points() -> None:
     assert recorded(states, ("obstacles.0.velocity=[12, 0]",)).impact_speed == pytest.approx(8.0)
 
 
+def test_impact_speed_is_that_of_the_instant() -> None:
+    """A lead car that brakes at 5 m/s^2 from 20 m/s, 10 m ahead, is hit after 2 s, when it has lost 10 m/s."""
+    braking = 'obstacles=[{position=[14, 0], size=[8, 2], velocity=[20, 0], acceleration=["-5 m/s2", 0]}]'
+    assert recorded(straight(), (braking,)).impact_speed == pytest.approx(10.0, abs=0.02)
+
+
+def test_the_impact_s_obstacle_is_the_first_that_is_touched() -> None:
+    """The index is that of the obstacle in the scenario, whatever is touched later."""
+    far, near = "{position=[40, 0], semi_axes=[2, 2]}", "{position=[20, 0], semi_axes=[2, 2]}"
+    assert recorded(straight(), (f"obstacles=[{far}, {near}]",)).impact_obstacle == 1
+    assert recorded(straight(), (f"obstacles=[{near}, {far}]",)).impact_obstacle == 0
+
+
+def test_time_in_the_oncoming_lane_counts_any_part_of_the_footprint() -> None:
+    """A body 1.8 m wide that is at Y = 1 m for half a second reaches beyond the line at 1.75 m for so long."""
+    road = ("road.lane_width=3.5", "obstacles=[]", "ego.footprint=rectangle")
+    oncoming = (*road, "road.lanes_oncoming=1")
+    states = straight()
+    states[1000:1500, 5] = 1.0
+    assert recorded(states, road).oncoming_lane_time is None
+    assert recorded(states, oncoming).oncoming_lane_time == pytest.approx(0.5)
+    assert recorded(straight(), oncoming).oncoming_lane_time == 0.0
+    assert recorded(states, (*oncoming, "ego.footprint=point")).oncoming_lane_time == 0.0
+
+
 def test_no_contact_no_impact() -> None:
-    """A run that touches nothing has no impact speed."""
-    assert recorded(straight(lateral=3.0)).impact_speed is None
+    """A run that touches nothing has no impact speed, and no obstacle of it."""
+    result = recorded(straight(lateral=3.0))
+    assert (result.impact_speed, result.impact_obstacle) == (None, None)
 
 
 def test_extremes_and_ends_of_the_motion() -> None:

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from swerve.world import Ellipse, Obstacle, Point, Rectangle, Shape
+from swerve.world import Ellipse, Obstacle, Point, Rectangle, Shape, Steady
 
 lengths = st.floats(0.1, 8.0)
 coordinates = st.floats(-30.0, 30.0)
@@ -20,7 +20,13 @@ velocities = st.tuples(st.floats(-20.0, 20.0), st.floats(-20.0, 20.0))
 
 def obstacles(of: st.SearchStrategy[Shape]) -> st.SearchStrategy[Obstacle]:
     """Obstacles of the given shapes, anywhere, with any heading and velocity."""
-    return st.builds(Obstacle, of, st.tuples(coordinates, coordinates), velocities, angles)
+    return st.builds(Obstacle, of, st.builds(Steady, st.tuples(coordinates, coordinates), velocities, angles))
+
+
+def at_start(obstacle: Obstacle) -> tuple[float, float, float]:
+    """X [m], Y [m] and heading [rad] of an obstacle at time zero."""
+    x, y = obstacle.position_at(0.0)
+    return float(x), float(y), float(obstacle.heading_at(0.0))
 
 
 def boundary(vertices: NDArray[np.float64], per_edge: int) -> NDArray[np.float64]:

@@ -8,14 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from swerve.world import Ellipse, Obstacle, Point, Rectangle, clearance, distance_ratio
+from swerve.world import Ellipse, Obstacle, Point, Rectangle, Steady, clearance, distance_ratio
 from tests.world.strategies import boundary, ellipses, obstacles, placed, poses, rectangles
 
 
 def rho(points: np.ndarray, obstacle: Obstacle, at: float) -> np.ndarray:
     """Eq. (5) as the paper writes it, with the offsets turned into the ellipse's axes."""
     (x_o, y_o), (a, b) = obstacle.position_at(at), semi_axes(obstacle)
-    cos, sin = math.cos(obstacle.heading), math.sin(obstacle.heading)
+    cos, sin = math.cos(obstacle.heading_at(at)), math.sin(obstacle.heading_at(at))
     dx, dy = points[:, 0] - x_o, points[:, 1] - y_o
     squares: np.ndarray = ((cos * dx + sin * dy) / a) ** 2 + ((-sin * dx + cos * dy) / b) ** 2
     return squares
@@ -53,7 +53,7 @@ def test_the_ratio_of_a_box_is_the_smallest_over_its_boundary(
 
 def test_the_ratio_of_a_box_in_closed_form() -> None:
     """Ahead of a disc of 2 m the ratio is the bumper's distance over 2; a box over the centre has ratio 0."""
-    disc, car = Obstacle(Ellipse((2.0, 2.0)), position=(25.0, 0.0)), Rectangle(4.8, 1.8)
+    disc, car = Obstacle(Ellipse((2.0, 2.0)), Steady(position=(25.0, 0.0))), Rectangle(4.8, 1.8)
     found = distance_ratio(car, [(0.0, 0.0, 0.0), (20.6, 0.0, 0.0), (25.0, 0.5, 1.0)], disc, np.zeros(3))
     np.testing.assert_allclose(found, [(25 - 2.4) / 2, 1.0, 0.0])
 
@@ -73,7 +73,7 @@ def test_a_ratio_above_one_and_a_clearance_go_together(
 
 def test_a_moving_obstacle_is_met_where_it_is_at_the_time() -> None:
     """Each pose is held against the ellipse at its own time."""
-    lead = Obstacle(Ellipse((2.5, 2.0)), position=(25.0, 0.0), velocity=(10.0, 0.0))
+    lead = Obstacle(Ellipse((2.5, 2.0)), Steady(position=(25.0, 0.0), velocity=(10.0, 0.0)))
     times = np.linspace(0.0, 2.0, 5)
     poses_at = np.column_stack((25 * times, np.zeros((5, 2))))
     np.testing.assert_allclose(distance_ratio(Point(), poses_at, lead, times), np.abs(25 - 15 * times) / 2.5)
@@ -82,20 +82,20 @@ def test_a_moving_obstacle_is_met_where_it_is_at_the_time() -> None:
 def test_a_rectangle_has_no_distance_ratio() -> None:
     """Eq. (5) speaks of ellipses; anything else is an error that says so."""
     with pytest.raises(TypeError, match="Rectangle"):
-        distance_ratio(Point(), [(0.0, 0.0, 0.0)], Obstacle(Rectangle(4.0, 2.0), (9.0, 0.0)), [0.0])
+        distance_ratio(Point(), [(0.0, 0.0, 0.0)], Obstacle(Rectangle(4.0, 2.0), Steady((9.0, 0.0))), [0.0])
 
 
 @pytest.mark.parametrize("footprint", [Point(), Rectangle(4.8, 1.8)])
 def test_a_pose_that_is_not_finite_has_no_ratio(footprint: Point | Rectangle) -> None:
     """A pose of nan has a ratio of nan, not 0 and not a safe one."""
-    disc = Obstacle(Ellipse((2.0, 2.0)), position=(25.0, 0.0))
+    disc = Obstacle(Ellipse((2.0, 2.0)), Steady(position=(25.0, 0.0)))
     found = distance_ratio(footprint, [(0.0, 0.0, 0.0), (math.nan, 0.0, 0.0)], disc, np.zeros(2))
     assert np.isfinite(found).tolist() == [True, False]
 
 
 def test_five_seconds_at_a_millisecond_take_milliseconds() -> None:
     """5000 poses of a box are judged in less than 50 ms, best of three."""
-    disc, car = Obstacle(Ellipse((2.0, 2.0)), position=(25.0, 0.0)), Rectangle(4.8, 1.8)
+    disc, car = Obstacle(Ellipse((2.0, 2.0)), Steady(position=(25.0, 0.0))), Rectangle(4.8, 1.8)
     times = np.linspace(0.0, 5.0, 5000)
     poses_at = np.column_stack((20 * times, np.zeros_like(times), 0.1 * np.sin(times)))
     took = []

@@ -43,12 +43,32 @@ def test_inside_means_every_corner_inside(box: Rectangle, y: float, heading: flo
         assert road.is_inside(box, [(3.0, y, heading)])[0] == (margin > 0)
 
 
+def test_oncoming_lanes_begin_where_the_own_ones_end() -> None:
+    """Of three lanes to the left the outer two are oncoming: beyond one and a half lanes from the middle."""
+    assert Road(3.5, lanes_left=3, lanes_oncoming=2).oncoming_edge == 5.25
+    assert Road(3.5, lanes_left=1, lanes_oncoming=1).oncoming_edge == 1.75
+    assert Road(3.5, lanes_left=3).oncoming_edge is None
+    assert Road().oncoming_edge is None
+
+
+@given(rectangles, st.floats(-8.0, 8.0), st.floats(-math.pi, math.pi))
+def test_oncoming_means_any_corner_beyond_the_line(box: Rectangle, y: float, heading: float) -> None:
+    """The answer is that of the box's corners, looked at one by one, and never true without oncoming lanes."""
+    road = Road(3.5, lanes_oncoming=1)
+    corners = placed(box.outline(), (0.0, y), heading)[:, 1]
+    if abs(corners.max() - 1.75) > 1e-9:
+        assert road.is_oncoming(box, [(3.0, y, heading)])[0] == (corners.max() > 1.75)
+    assert not Road(3.5).is_oncoming(box, [(3.0, y, heading)])[0]
+
+
 def test_a_pose_that_is_not_finite_is_not_inside() -> None:
     """A run that diverged is not on the road."""
     assert not Road(lane_width=3.5).is_inside(Point(), np.full((1, 3), np.nan))[0]
 
 
-@pytest.mark.parametrize("arguments", [{"lane_width": 0.0}, {"lane_width": math.nan}, {"lanes_left": -1}])
+@pytest.mark.parametrize(
+    "arguments", [{"lane_width": 0.0}, {"lane_width": math.nan}, {"lanes_left": -1}, {"lanes_oncoming": 2}]
+)
 def test_an_impossible_road_is_refused(arguments: dict[str, float]) -> None:
     """The error names the argument that is wrong."""
     with pytest.raises(ValueError, match=next(iter(arguments))):

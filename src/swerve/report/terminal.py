@@ -1,10 +1,12 @@
-"""What commands print: the result of a run as JSON and as a table, and the ablation."""
+"""What commands print: the result of a run as JSON, as a table and as a drawing, and the ablation."""
 
 import json
 from collections.abc import Mapping
 from math import degrees
 
-from swerve.simulate import Result
+from swerve.report.console import PLAIN, Console
+from swerve.report.track import track
+from swerve.simulate import Outcome, Result, Run
 from swerve.study.ablation import Ablation
 
 
@@ -13,14 +15,21 @@ def result_json(result: Result) -> str:
     return json.dumps(result.to_json(), allow_nan=False)
 
 
-def result_table(result: Result) -> str:
+def run_summary(run: Run, console: Console) -> str:
+    """A run for people: its table, and below it the manoeuvre from above, where there is room for it."""
+    drawing = track(run, console.width, console.charset, console.paint)
+    return result_table(run.result, console) + (f"\n\n{drawing}\n" if drawing else "")
+
+
+def result_table(result: Result, console: Console = PLAIN) -> str:
     """The result for people: a row each for what was decided, how near it came and what it took."""
     values = result.to_json()  # where a number that is not finite is None
     lost = result.divergence
     offset, speed, step_time = values["lateral_offset"], values["speed"], values["step_time"]
+    verdict = console.paint("good" if result.outcome is Outcome.AVOIDED else "bad", result.outcome.value)
     rows = {
         "scenario": f"{result.scenario}, {result.controller} on {result.plant}, seed {result.seed}",
-        "outcome": f"{result.outcome.value}: {result.outcome.sentence}",
+        "outcome": f"{verdict}: {result.outcome.sentence}",
         **({} if lost is None else {"diverged": f"at {lost.time:.3f} s, from {_state(lost.last)}"}),
         "decision": result.decision,
         "distance ratio": f"{_number(values['min_distance_ratio'], digits=3)} at the least (1 is contact)",

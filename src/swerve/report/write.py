@@ -23,7 +23,7 @@ Write = Callable[[Path], None]  # writes the file of this path
 
 
 def write_run(run: Run, directory: Path, progress: Progress = lambda share: None) -> list[Path]:
-    """Write a run: result.json, scenario.toml, its log as Parquet, its figures as PNG and PDF.
+    """Write a run: result.json, scenario.toml, its log as Parquet, its figures as PNG and PDF, report.html.
 
     Args:
         run: that is over.
@@ -37,6 +37,7 @@ def write_run(run: Run, directory: Path, progress: Progress = lambda share: None
         OSError: they cannot be written; then the directory is as it was.
     """
     from swerve.report.figures import FIGURES, writers
+    from swerve.report.page import write_page
     from swerve.report.tables import write_table
 
     files: dict[str, Write] = {
@@ -44,6 +45,7 @@ def write_run(run: Run, directory: Path, progress: Progress = lambda share: None
         "scenario.toml": partial(_write_text, run.scenario.to_toml()),
         "motion.parquet": lambda path: write_table(run.log.motion, run, path),
         "steps.parquet": lambda path: write_table(run.log.steps, run, path),
+        "report.html": partial(write_page, run),
         **writers(FIGURES, run),
     }
     return _write_all(files, directory, progress)

@@ -73,12 +73,15 @@ class UnifiedSettings(Settings):
         clearance_margin: between the footprint and an obstacle, soft [m].
         clearance_penalty: per metre of margin that is missed [1/m].
         clearance_penalty_quadratic: per square metre of it [1/m^2].
+        passing_gap: besides the margin, to an obstacle that it passes, as far as it costs little [m].
+        stopping_gap: besides the margin, to an obstacle that it stays behind [m].
         force_weight: on each wheel force, which settles the forces that the cost does not see [1/N^2].
         trust_steering: largest change of a planned steering angle in an iteration [rad].
         trust_force: largest change of a planned wheel force in an iteration [N].
         iterations: of the convex program in an ordinary step.
-        first_iterations: when a side has no plan that keeps clear.
-        commitment: the other side is taken when it costs less than this share of the present one [1].
+        first_iterations: when a way has no plan that keeps clear.
+        commitment: another way is taken when it costs less than this share of the present one [1].
+        deadline: of a step, as a share of the sample time [1].
     """
 
     slip_limit: Angle = 0.12
@@ -87,12 +90,15 @@ class UnifiedSettings(Settings):
     clearance_margin: Margin = 0.02
     clearance_penalty: Weight = 2e4
     clearance_penalty_quadratic: Weight = 1e5
+    passing_gap: Margin = 0.2
+    stopping_gap: Margin = 1.0
     force_weight: Weight = 1e-8
     trust_steering: Angle = 0.08
     trust_force: Force = 4e3
     iterations: Iterations = 2
     first_iterations: Iterations = 6
     commitment: Share = 0.5
+    deadline: Share = 0.5
 
 
 class BrakeSettings(Settings):

@@ -1,14 +1,15 @@
-"""From a library name or a TOML file, and the overrides on it, to a checked scenario."""
+"""From a library name, a member of a family or a TOML file, and the overrides on it, to a checked scenario."""
 
 from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from pydantic import ValidationError
 
 from swerve.errors import InputError, nearest, one_line, shown_path
 from swerve.scenario.document import read_document, tables_of
+from swerve.scenario.families import FAMILIES, member_tables
 from swerve.scenario.overrides import apply, parse_override
 from swerve.scenario.problems import input_error
 from swerve.scenario.scenario import Scenario
@@ -24,7 +25,7 @@ def library_names() -> list[str]:
 
 
 def load(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Scenario:
-    """The scenario of a library name, or of a TOML file.
+    """The scenario of a library name, of a family's member, or of a TOML file.
 
     Args:
         name_or_path: a path is one that ends in .toml or holds a separator; anything else is a name.
@@ -41,12 +42,19 @@ def load(name_or_path: str | Path, overrides: Sequence[str] = ()) -> Scenario:
         path = Path(given)
         content = read_document(path, "scenario", "write a TOML file's path, or a name that `swerve scenarios` lists")
         return parse(content, shown_path(given), overrides, path.parent)
-    names = library_names()
-    if given not in names:
-        guess = nearest(given, names)
-        advice = f"did you mean {guess}?" if guess else f"write one of {', '.join(names)}"
-        raise InputError(f"{one_line(given)}: no such scenario; {advice} (a file of your own ends in .toml)")
-    return parse((LIBRARY / f"{given}.toml").read_bytes(), f"{given}.toml", overrides)
+    if given in library_names():
+        return parse((LIBRARY / f"{given}.toml").read_bytes(), f"{given}.toml", overrides)
+    tables = member_tables(given)
+    if tables is None:
+        raise InputError(f"{one_line(given)}: no such scenario; {_advice(given)} (a file of your own ends in .toml)")
+    return _checked(tables, given, overrides)
+
+
+def _advice(wrong: str) -> str:
+    """What to write in place of a name that is none."""
+    guess = nearest(wrong, library_names())
+    names = ", ".join([*library_names(), *(family.pattern for family in FAMILIES)])
+    return f"did you mean {guess}?" if guess else f"write one of {names}"
 
 
 def parse(content: bytes, file: str, overrides: Sequence[str] = (), folder: Path | None = None) -> Scenario:
@@ -61,7 +69,11 @@ def parse(content: bytes, file: str, overrides: Sequence[str] = (), folder: Path
     Raises:
         InputError: it is not UTF-8, not TOML, or not a scenario.
     """
-    tables = tables_of(content, file, CONTENTS)
+    return _checked(tables_of(content, file, CONTENTS), file, overrides, folder)
+
+
+def _checked(tables: dict[str, Any], file: str, overrides: Sequence[str], folder: Path | None = None) -> Scenario:
+    """The scenario in tables, with the overrides on them."""
     parsed = [parse_override(text) for text in overrides]
     for override in parsed:
         tables = apply(override, tables)

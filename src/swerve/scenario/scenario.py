@@ -6,12 +6,15 @@ from typing import Self
 import tomli_w
 from pydantic import Field, model_validator
 
+from swerve.scenario.actuation import ActuationSettings
 from swerve.scenario.controller import ControllerSettings
+from swerve.scenario.driver import DriverSettings
 from swerve.scenario.ego import EgoSettings
+from swerve.scenario.obstacle import ObstacleSettings
 from swerve.scenario.quantities import Duration, Name, Offset, PlantStep, Speed, Text
 from swerve.scenario.sensing import SensingSettings
 from swerve.scenario.settings import KeyedError, Settings
-from swerve.scenario.surroundings import ObstacleSettings, RoadSettings
+from swerve.scenario.surroundings import RoadSettings
 from swerve.world import clearance
 
 RATIO_TOLERANCE = 1e-9  # of a ratio of two times that stands for a whole number [1]
@@ -54,6 +57,8 @@ class Scenario(Settings):
         controller: horizons, weights and sample time.
         plant: the simulated vehicle's clock.
         sensing: what the controller gets to know, and when.
+        actuation: what the vehicle can command, and what of it has failed.
+        driver: who sits at the wheel; None for nobody.
     """
 
     name: Name = Field(examples=['"my-scenario"'])
@@ -67,6 +72,8 @@ class Scenario(Settings):
     controller: ControllerSettings = Field(default_factory=ControllerSettings)
     plant: PlantSettings = Field(default_factory=PlantSettings)
     sensing: SensingSettings = Field(default_factory=SensingSettings)
+    actuation: ActuationSettings = Field(default_factory=ActuationSettings)
+    driver: DriverSettings | None = None
 
     @model_validator(mode="after")
     def _clocks_agree(self) -> Self:
@@ -85,8 +92,26 @@ class Scenario(Settings):
         for index, obstacle in enumerate(self.obstacles):
             if clearance(self.ego.to_footprint(), pose, obstacle.to_world(), [0.0])[0] <= 0:
                 x, y = self.ego.position
-                fault = f"the obstacle covers the ego vehicle at its start, ({x:g} m, {y:g} m)"
-                raise KeyedError(f"obstacles.{index}.position", f"{fault}; move one of them")
+                fault = f"{obstacle.noun} covers the ego vehicle at its start, ({x:g} m, {y:g} m)"
+                key = "waypoints" if obstacle.waypoints else "position"
+                raise KeyedError(f"obstacles.{index}.{key}", f"{fault}; move one of them")
+        return self
+
+    @model_validator(mode="after")
+    def _stuck_within_lock(self) -> Self:
+        angle, lock = self.actuation.steering_stuck, self.ego.to_vehicle().steering_limit
+        if angle is not None and abs(angle) > lock:
+            fault = f"{angle:g} rad is beyond the vehicle's steering lock"
+            raise KeyedError("actuation.steering_stuck", f"{fault}; write at most {lock:g} rad to either side")
+        return self
+
+    @model_validator(mode="after")
+    def _driver_within_lock(self) -> Self:
+        lock = self.ego.to_vehicle().steering_limit
+        for index, (_, angle) in enumerate(() if self.driver is None else self.driver.steering):
+            if abs(angle) > lock:
+                fault = f"{angle:g} rad is beyond the vehicle's steering lock"
+                raise KeyedError(f"driver.steering.{index}", f"{fault}; write at most {lock:g} rad to either side")
         return self
 
     @property
@@ -104,5 +129,6 @@ class Scenario(Settings):
         """The scenario as a TOML document in SI, defaults written out; it loads to an equal scenario."""
         tables = self.model_dump(exclude_none=True)
         if self.road.lane_width is None:
-            del tables["road"]["lanes_left"], tables["road"]["lanes_right"]
+            for lanes in ("lanes_left", "lanes_right", "lanes_oncoming"):
+                del tables["road"][lanes]
         return tomli_w.dumps(tables)

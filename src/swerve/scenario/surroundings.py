@@ -1,13 +1,13 @@
-"""What is round the ego vehicle: the road and the obstacles."""
+"""The road of a scenario: its friction and its lanes."""
 
 from math import inf
 from typing import Self
 
 from pydantic import Field, model_validator
 
-from swerve.scenario.quantities import Coordinate, Friction, Heading, Lanes, Size, Velocity
+from swerve.scenario.quantities import Coordinate, Friction, Lanes, Size
 from swerve.scenario.settings import KeyedError, Settings
-from swerve.world import MOST_PATCHES, Ellipse, Obstacle, Patch, Rectangle, Road
+from swerve.world import MOST_PATCHES, Patch, Road
 from swerve.world import Friction as FrictionMap
 
 
@@ -46,6 +46,7 @@ class RoadSettings(Settings):
         lane_width: of every lane; Y = 0 is the middle of the ego vehicle's own [m].
         lanes_left: number of lanes to the left of it.
         lanes_right: number of lanes to the right of it.
+        lanes_oncoming: how many of those to the left, outermost first, carry oncoming traffic.
         patches: where the friction is another one; the last that holds a wheel counts.
     """
 
@@ -53,13 +54,17 @@ class RoadSettings(Settings):
     lane_width: Size | None = None
     lanes_left: Lanes = 1
     lanes_right: Lanes = 0
+    lanes_oncoming: Lanes = 0
     patches: tuple[PatchSettings, ...] = ()
 
     @model_validator(mode="after")
     def _lanes_have_a_width(self) -> Self:
-        for key in ("lanes_left", "lanes_right"):
+        for key in ("lanes_left", "lanes_right", "lanes_oncoming"):
             if self.lane_width is None and key in self.model_fields_set:
                 raise KeyedError(key, 'means nothing without a width; write lane_width = "3.5 m" too')
+        if self.lanes_oncoming > self.lanes_left:
+            fault = f"{self.lanes_oncoming} of {self.lanes_left} lanes on the left"
+            raise KeyedError("lanes_oncoming", f"is {fault}; write at most as many as there are")
         return self
 
     @model_validator(mode="after")
@@ -70,39 +75,8 @@ class RoadSettings(Settings):
 
     def to_world(self) -> Road:
         """The road as geometry."""
-        return Road(self.lane_width, self.lanes_left, self.lanes_right)
+        return Road(self.lane_width, self.lanes_left, self.lanes_right, self.lanes_oncoming)
 
     def to_friction(self) -> FrictionMap:
         """The friction everywhere on the road."""
         return FrictionMap(self.friction, tuple(patch.to_world() for patch in self.patches))
-
-
-class ObstacleSettings(Settings):
-    """An obstacle that keeps its velocity and heading: an ellipse, or a rectangle.
-
-    Attributes:
-        position: of its centre at time zero (x, y) [m].
-        velocity: in world axes (x, y) [m/s].
-        heading: of its own x axis from the world's X axis, anticlockwise [rad].
-        semi_axes: of an ellipse (a, b) along its own x and y [m].
-        size: of a rectangle (length, width) along its own x and y [m].
-    """
-
-    position: tuple[Coordinate, Coordinate] = Field(examples=['["25 m", "0 m"]'])
-    velocity: tuple[Velocity, Velocity] = (0.0, 0.0)
-    heading: Heading = 0.0
-    semi_axes: tuple[Size, Size] | None = None
-    size: tuple[Size, Size] | None = None
-
-    @model_validator(mode="after")
-    def _has_one_shape(self) -> Self:
-        if self.semi_axes is None and self.size is None:
-            raise KeyedError("semi_axes", 'missing; write semi_axes = ["2 m", "2 m"] or size = ["4 m", "1.7 m"]')
-        if self.semi_axes is not None and self.size is not None:
-            raise KeyedError("size", "is given beside semi_axes; write one of them, a rectangle or an ellipse")
-        return self
-
-    def to_world(self) -> Obstacle:
-        """The obstacle as geometry and motion."""
-        shape = Ellipse(self.semi_axes) if self.semi_axes is not None else Rectangle(*(self.size or ()))
-        return Obstacle(shape, self.position, self.velocity, self.heading)

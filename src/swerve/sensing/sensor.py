@@ -7,7 +7,7 @@ import numpy as np
 
 from swerve.conventions import PSI, VX, VY, R, X, Y
 from swerve.sensing.past import Past, Truth
-from swerve.signals import Measurement, Observation
+from swerve.signals import Driver, Measurement, Observation
 from swerve.vehicle import Vehicle
 from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters
@@ -48,12 +48,14 @@ class Sensor:
         noise: on its channels.
         estimates_loads: wheel loads from the measured accelerations and the vehicle's parameters, not from the plant.
         vehicle: for that estimate.
+        driver: whose input is measured too, as late as all else; None where nobody sits at the wheel.
     """
 
     delay: float
     noise: Noise
     estimates_loads: bool
     vehicle: Vehicle
+    driver: Driver | None = None
 
     def measure(
         self, time: float, past: Past, obstacles: Sequence[Obstacle], generator: np.random.Generator
@@ -76,6 +78,7 @@ class Sensor:
             truth.vehicle + deviations * generator.standard_normal(6),
             self._loads(truth) + noise.wheel_load * generator.standard_normal(4),
             tuple(self._observe(obstacle, stamp, generator) for obstacle in obstacles),
+            None if self.driver is None else self.driver(stamp, truth.vehicle),
         )
 
     def _loads(self, truth: Truth) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
@@ -86,5 +89,6 @@ class Sensor:
 
     def _observe(self, obstacle: Obstacle, stamp: float, generator: np.random.Generator) -> Observation:
         x, y = obstacle.position_at(stamp) + self.noise.obstacle_position * generator.standard_normal(2)
-        vx, vy = np.asarray(obstacle.velocity) + self.noise.obstacle_velocity * generator.standard_normal(2)
-        return Observation(obstacle.shape, (float(x), float(y)), (float(vx), float(vy)), obstacle.heading)
+        vx, vy = obstacle.velocity_at(stamp) + self.noise.obstacle_velocity * generator.standard_normal(2)
+        heading = float(obstacle.heading_at(stamp))
+        return Observation(obstacle.shape, (float(x), float(y)), (float(vx), float(vy)), heading)

@@ -5,20 +5,29 @@ from dataclasses import fields
 from typing import Any, Final
 
 from swerve.control import Controller, Goal, Horizon, Latency, Weights
+from swerve.control.actuation import Actuation
 from swerve.control.as_printed import AsPrintedController, AsPrintedSettings
 from swerve.control.brake import BrakeController, BrakeSettings
+from swerve.control.driver import DriverController
 from swerve.control.hierarchical import HierarchicalController, HierarchicalSettings
 from swerve.control.nonlinear import NonlinearController, NonlinearSettings
-from swerve.control.unified import UnifiedController, UnifiedSettings
+from swerve.control.unified import Formulation, UnifiedController, UnifiedSettings
+from swerve.conventions import GRAVITY
+from swerve.driver import DriverSeries, LaneKeeper
+from swerve.driver.series import NOTHING
 from swerve.errors import InputError, unknown
 from swerve.plant import MultibodyPlant, PlanarPlant, Plant
 from swerve.scenario import Scenario
+from swerve.scenario.driver import PREVIEW
 from swerve.sensing import Noise, Sensor
+from swerve.signals import Driver
 from swerve.vehicle import Vehicle
 from swerve.vehicle.multibody import Actuators, completion_of
 from swerve.world import Friction
 
 ONE_FRICTION: Final = "the planar plant has one friction for all wheels; take the multibody plant"
+
+ALL_INPUTS: Final = "actuation: the controller as-printed commands all inputs; take unified, or leave out what is told"
 
 AXLES_IN_TURN = (
     1.5  # [1] relaxation lengths until a turn is there: the front axle's, and half of the rear one's upon it
@@ -51,17 +60,31 @@ def _shared(scenario: Scenario, plant: str) -> dict[str, Any]:
     }
 
 
+def actuation_of(scenario: Scenario, plant: str) -> Actuation:
+    """The inputs that a controller is told it has: those of the mode, less the failures that are known."""
+    told, vehicle = scenario.actuation, scenario.ego.to_vehicle()
+    if plant == "multibody" and not vehicle.cg_height:
+        vehicle = vehicle.with_changes({"cg_height": completion_of(vehicle.name)[0].cg_height})
+    failures = (told.failed, told.steering_stuck) if told.known else ()
+    return Actuation.of(vehicle, told.mode, *failures)
+
+
 def _unified(scenario: Scenario, plant: str) -> UnifiedController:
-    settings = UnifiedSettings(**scenario.controller.unified.model_dump())
-    return UnifiedController(
+    formulation = Formulation(
         footprint=scenario.ego.to_footprint(),
+        road=scenario.road.to_world(),
         latency=_latency(scenario, plant),
-        settings=settings,
+        settings=UnifiedSettings(**scenario.controller.unified.model_dump()),
+        actuation=actuation_of(scenario, plant),
         **_shared(scenario, plant),
     )
+    return UnifiedController(formulation)
 
 
 def _as_printed(scenario: Scenario, plant: str) -> AsPrintedController:
+    told = scenario.actuation
+    if told.mode != "all" or (told.has_failures and told.known):
+        raise InputError(ALL_INPUTS)
     settings = AsPrintedSettings(**scenario.controller.as_printed.model_dump())
     return AsPrintedController(settings=settings, **_shared(scenario, plant))
 
@@ -98,6 +121,10 @@ def _nonlinear(scenario: Scenario, plant: str) -> NonlinearController:
     )
 
 
+def _driver(scenario: Scenario, plant: str) -> DriverController:
+    return DriverController(scenario.ego.to_vehicle(), scenario.road.friction, actuation_of(scenario))
+
+
 def planar_plant(vehicle: Vehicle, friction: Friction, step: float, n_substeps: int) -> PlanarPlant:
     """The planar plant for a vehicle of the library; InputError on a road with patches."""
     if friction.patches:
@@ -130,7 +157,21 @@ def sensor_of(scenario: Scenario) -> Sensor:
     """Build the way from truth to measurement."""
     settings = scenario.sensing
     noise = Noise(**settings.noise.model_dump())
-    return Sensor(settings.delay, noise, settings.wheel_loads == "estimated", scenario.ego.to_vehicle())
+    estimates = settings.wheel_loads == "estimated"
+    return Sensor(settings.delay, noise, estimates, scenario.ego.to_vehicle(), driver_of(scenario))
+
+
+def driver_of(scenario: Scenario) -> Driver | None:
+    """Who sits at the wheel; None where the scenario has no driver."""
+    told, vehicle, friction = scenario.driver, scenario.ego.to_vehicle(), scenario.road.friction
+    if told is None:
+        return None
+    if told.model is not None:
+        goal = scenario.goal
+        return LaneKeeper(vehicle, friction, goal.lateral_offset, goal.speed, told.preview or PREVIEW)
+    full = vehicle.force_limit * friction * vehicle.mass * GRAVITY
+    force = tuple((time, share * full) for time, share in told.pedal)
+    return DriverSeries(told.steering or NOTHING, force or NOTHING)
 
 
 ControllerBuilder = Callable[[Scenario, str], Controller[Any]]
@@ -141,6 +182,7 @@ CONTROLLERS: Final[dict[str, ControllerBuilder]] = {
     "brake": _brake,
     "hierarchical": _hierarchical,
     "nonlinear": _nonlinear,
+    "driver": _driver,
 }
 PLANTS: Final[dict[str, Callable[[Scenario], Plant]]] = {"planar": _planar, "multibody": _multibody}
 DEFAULT_CONTROLLER: Final = "unified"

@@ -1,15 +1,17 @@
 """What was recorded of a run: tables of columns, each with its unit."""
 
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import nan
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.control import Plan, Side
+from swerve.control import Plan
 from swerve.conventions import INPUT_UNITS, INPUTS, STATE_UNITS, STATES, WHEELS
 from swerve.plant import Trace
-from swerve.signals import Command
+from swerve.signals import Command, DriverInput
 
 Array = NDArray[np.float64]
 
@@ -67,8 +69,14 @@ def motion_table(time: Array, traces: Sequence[Trace]) -> Table:
     return Table(columns, units)
 
 
-def steps_table(time: Array, commands: Sequence[Command], plans: Sequence[Plan], step_times: Sequence[float]) -> Table:
-    """The controller's steps at `time` (n,) [s], with the time that each took [s]."""
+def steps_table(
+    time: Array,
+    commands: Sequence[Command],
+    plans: Sequence[Plan],
+    step_times: Sequence[float],
+    drivers: Sequence[DriverInput | None] = (),
+) -> Table:
+    """The controller's steps at `time` (n,) [s], with the time that each took [s] and what the driver asked for."""
     inputs = np.array([command.as_input() for command in commands])
     columns: dict[str, NDArray[np.generic]] = {"time": time, **dict(zip(INPUTS, inputs.T, strict=True))}
     units = {"time": "s", **dict(zip(INPUTS, INPUT_UNITS, strict=True))}
@@ -76,11 +84,22 @@ def steps_table(time: Array, commands: Sequence[Command], plans: Sequence[Plan],
     columns["fallback"] = np.array([plan.fallback.value if plan.fallback else "" for plan in plans])
     columns["solver_failures"] = np.array([plan.solver_failures for plan in plans])
     units |= {"side": "", "fallback": "", "solver_failures": "1"}
-    for side in Side:
-        tried = [next((b for b in plan.branches if b.side is side), None) for plan in plans]
-        word = side.name.lower()
-        columns[f"cost_{word}"] = np.array([np.nan if b is None else b.cost for b in tried])
-        columns[f"violation_{word}"] = np.array([np.nan if b is None else b.violation for b in tried])
-        units |= {f"cost_{word}": "1", f"violation_{word}": "m"}
+    columns["branch"], units["branch"] = np.array([plan.name for plan in plans]), ""
+    columns["reason"], units["reason"] = np.array([plan.reason for plan in plans]), ""
+    columns["branches"], units["branches"] = np.array([_branches(plan) for plan in plans]), ""
+    columns["active"], units["active"] = np.array([", ".join(plan.active) for plan in plans]), ""
+    for i, wheel in enumerate(WHEELS):
+        name = f"friction_use_{wheel}"
+        columns[name], units[name] = np.array([plan.friction_use[i] for plan in plans]), "1"
+    nobody = [None] * len(plans)
+    asked = [(nan, nan) if each is None else (each.steering_angle, each.force) for each in drivers or nobody]
+    columns["delta_driver"], columns["force_driver"] = np.array(asked).T
+    units |= {"delta_driver": "rad", "force_driver": "N"}
     columns["step_time"], units["step_time"] = np.array(step_times), "s"
     return Table(columns, units)
+
+
+def _branches(plan: Plan) -> str:
+    """All that were tried, each with its cost and what it misses, as JSON."""
+    keys = ("name", "cost", "violation", "off_road", "impact_speed")
+    return json.dumps([{key: getattr(branch, key) for key in keys} for branch in plan.branches])

@@ -14,8 +14,9 @@ from swerve.control import Controller, Plan
 from swerve.plant import Plant, Trace
 from swerve.scenario import Scenario
 from swerve.sensing import Past, Truth
-from swerve.signals import Command, Measurement
+from swerve.signals import Command, DriverInput, Measurement
 from swerve.simulate.assemble import DEFAULT_CONTROLLER, DEFAULT_PLANT, controller_named, plant_named, sensor_of
+from swerve.simulate.failures import Failures
 from swerve.simulate.log import Log, motion_table, steps_table
 from swerve.simulate.result import Result, evaluate
 from swerve.world import Obstacle
@@ -64,12 +65,12 @@ def run(
     started = time.perf_counter()
     built = controller_named(controller, scenario, plant), plant_named(plant, scenario)
     sensing = sense or sensor_of(scenario).measure, np.random.default_rng(seed)
-    traces, commands, plans, step_times = _drive(scenario, *built, *sensing, progress or (lambda share: None))
+    traces, commands, plans, step_times, drivers = _drive(scenario, *built, *sensing, progress or (lambda share: None))
     step, sample_time = scenario.plant.step, scenario.controller.sample_time
     n_rows = sum(len(trace.states) for trace in traces)
     log = Log(
         motion_table(step * np.arange(float(n_rows)), traces),
-        steps_table(sample_time * np.arange(float(len(plans))), commands, plans, step_times),
+        steps_table(sample_time * np.arange(float(len(plans))), commands, plans, step_times, drivers),
     )
     wall_time = time.perf_counter() - started
     return Run(
@@ -84,10 +85,11 @@ def _drive(
     sense: Sense,
     generator: np.random.Generator,
     progress: Callable[[float], None],
-) -> tuple[list[Trace], list[Command], list[Plan], list[float]]:
-    """The loop: traces of the plant, and command, plan and time of each controller step."""
+) -> tuple[list[Trace], list[Command], list[Plan], list[float], list[DriverInput | None]]:
+    """The loop: traces of the plant, and command, plan, time and driver's input of each controller step."""
     ego, sample_time = scenario.ego, scenario.controller.sample_time
     obstacles = [obstacle.to_world() for obstacle in scenario.obstacles]
+    failures = Failures(scenario.actuation.failed, scenario.actuation.steering_stuck)
     state = plant.start(np.array([ego.speed, 0.0, 0.0, ego.heading, *ego.position]))
     past = Past(scenario.plant.step, scenario.n_substeps, Truth(state.vehicle, state.wheel_loads, np.zeros(2)))
     memory = controller.start()
@@ -95,23 +97,25 @@ def _drive(
     commands: list[Command] = []
     plans: list[Plan] = []
     step_times: list[float] = []
+    drivers: list[DriverInput | None] = []
     for k in range(scenario.n_samples):
         measurement = sense(k * sample_time, past, obstacles, generator)
         began = time.perf_counter()
         command, plan, memory = controller.step(measurement, memory)
         step_times.append(time.perf_counter() - began)
-        state, trace = plant.advance(state, command)
+        state, trace = plant.advance(state, failures.acting(command))
         now = Truth(state.vehicle, state.wheel_loads, trace.acceleration[-1])
         past.grow(trace.states, trace.wheel_loads, trace.acceleration, now)
         traces.append(trace)
         commands.append(command)
         plans.append(plan)
+        drivers.append(measurement.driver)
         progress((k + 1) / scenario.n_samples)
         if not np.isfinite(state.vehicle).all():
             break
-    _, last = plant.advance(state, commands[-1])
+    _, last = plant.advance(state, failures.acting(commands[-1]))
     traces.append(_first_row(last))
-    return traces, commands, plans, step_times
+    return traces, commands, plans, step_times, drivers
 
 
 def _first_row(trace: Trace) -> Trace:

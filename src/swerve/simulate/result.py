@@ -1,7 +1,7 @@
 """The numbers of a run, in SI: what `swerve run --json` prints."""
 
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ from swerve.signals import Command
 from swerve.simulate.decision import decision
 from swerve.simulate.log import Log
 from swerve.simulate.outcome import Outcome, decide, n_sane, ratio_to, sideslip, touches
-from swerve.world import clearance
+from swerve.world import Footprint, Obstacle, Road, clearance
 
 Array = NDArray[np.float64]
 
@@ -82,6 +82,8 @@ class Result:
         min_distance_ratio: smallest sqrt(rho) over all ellipses, 1 is contact; None without ellipses [1].
         min_clearance: between footprint and obstacles; None without obstacles [m].
         impact_speed: relative to the obstacle, at first contact; None without contact [m/s].
+        impact_obstacle: index of that obstacle; None without contact.
+        oncoming_lane_time: with any part of the footprint beyond the oncoming edge; None without oncoming lanes [s].
         decision: none, brake, steer-left, steer-right, brake+steer-left or brake+steer-right.
         lateral_offset: Y [m].
         speed: over ground [m/s].
@@ -96,6 +98,7 @@ class Result:
         solver_failures: quadratic programs without an answer.
         wall_time: of the whole run [s].
         divergence: when and from what state the simulation diverged; None when it did not.
+        driver_deviation: largest magnitude of commanded less driver's steering angle; None without a driver [rad].
     """
 
     scenario: str
@@ -107,6 +110,8 @@ class Result:
     min_distance_ratio: float | None
     min_clearance: float | None
     impact_speed: float | None
+    impact_obstacle: int | None
+    oncoming_lane_time: float | None
     decision: str
     lateral_offset: Range
     speed: Range
@@ -121,6 +126,7 @@ class Result:
     solver_failures: int
     wall_time: float
     divergence: Divergence | None
+    driver_deviation: float | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Plain values, ready for `json.dumps`; a number that is not finite becomes None."""
@@ -143,10 +149,11 @@ def evaluate(
     n = n_sane(states)
     times, poses = times[:n], motion.stack("X", "Y", "psi")[:n]
     footprint, vehicle = scenario.ego.to_footprint(), scenario.ego.to_vehicle()
-    obstacles = [obstacle.to_world() for obstacle in scenario.obstacles]
+    road, obstacles = scenario.road.to_world(), [obstacle.to_world() for obstacle in scenario.obstacles]
     contact = np.array([touches(each, footprint, poses, times) for each in obstacles]).reshape(-1, len(times))
     ratios = [ratio_to(each, footprint, poses, times) for each in obstacles]
     gaps = [clearance(footprint, poses, each, times) for each in obstacles]
+    impact = _first_impact(contact)
     grip = scenario.road.friction * vehicle.mass * GRAVITY
     speed = np.hypot(motion["vx"], motion["vy"])
     return Result(
@@ -155,10 +162,12 @@ def evaluate(
         plant=plant,
         seed=seed,
         version=swerve.__version__,
-        outcome=decide(states, np.any(contact, axis=0), poses, scenario.road.to_world(), footprint),
+        outcome=decide(states, np.any(contact, axis=0), poses, road, footprint),
         min_distance_ratio=min((float(ratio.min()) for ratio in ratios if ratio is not None), default=None),
         min_clearance=min((float(gap.min()) for gap in gaps), default=None),
-        impact_speed=_impact_speed(states, contact, np.array([each.velocity for each in obstacles])),
+        impact_speed=None if impact is None else _impact_speed(states, times, impact, obstacles),
+        impact_obstacle=None if impact is None else impact.obstacle,
+        oncoming_lane_time=_oncoming_lane_time(road, footprint, poses, times),
         decision=decision(commands, plans, grip, scenario.controller.sample_time),
         lateral_offset=Range.of(motion["Y"]),
         speed=Range.of(speed),
@@ -173,18 +182,43 @@ def evaluate(
         solver_failures=sum(plan.solver_failures for plan in plans),
         wall_time=wall_time,
         divergence=Divergence.of(states, motion["time"]),
+        driver_deviation=_driver_deviation(log),
     )
 
 
-def _impact_speed(states: Array, contact: NDArray[np.bool_], velocities: Array) -> float | None:
-    """Speed relative to the obstacle at the first contact; contact is (obstacles, n), velocities (obstacles, 2)."""
+def _driver_deviation(log: Log) -> float | None:
+    """Over the steps whose driver's input is finite."""
+    deviation = np.abs(log.steps["delta"] - log.steps["delta_driver"])
+    return max(deviation[np.isfinite(deviation)].tolist(), default=None)
+
+
+class _Impact(NamedTuple):
+    """The first contact: row of the motion, and index of the obstacle."""
+
+    row: int
+    obstacle: int
+
+
+def _first_impact(contact: NDArray[np.bool_]) -> _Impact | None:
+    """The first of contact (obstacles, n); of several obstacles at that instant the first one."""
     if not contact.any():
         return None
-    first = int(np.argmax(contact.any(axis=0)))
-    obstacle = int(np.argmax(contact[:, first]))
-    vx, vy, _, psi = states[first, :4]
+    row = int(np.argmax(contact.any(axis=0)))
+    return _Impact(row, int(np.argmax(contact[:, row])))
+
+
+def _impact_speed(states: Array, times: Array, impact: _Impact, obstacles: list[Obstacle]) -> float:
+    """Speed relative to the obstacle at the instant of the impact [m/s]."""
+    vx, vy, _, psi = states[impact.row, :4]
     over_ground = np.array([vx * np.cos(psi) - vy * np.sin(psi), vx * np.sin(psi) + vy * np.cos(psi)])
-    return float(np.linalg.norm(over_ground - velocities[obstacle]))
+    return float(np.linalg.norm(over_ground - obstacles[impact.obstacle].velocity_at(times[impact.row])))
+
+
+def _oncoming_lane_time(road: Road, footprint: Footprint, poses: Array, times: Array) -> float | None:
+    """Sum of the steps that begin with a part of the footprint in an oncoming lane [s]."""
+    if road.oncoming_edge is None:
+        return None
+    return float(np.diff(times)[road.is_oncoming(footprint, poses)[:-1]].sum())
 
 
 def _plain(value: Any) -> Any:

@@ -77,8 +77,9 @@ def _in_obstacle_frame(
 ) -> NDArray[np.float64]:
     """Vertices (k, 2) of a body at each of the n poses, seen from the obstacle's body frame: (n, k, 2) [m]."""
     pose = np.asarray(poses, dtype=float)
-    origin = _rotate((pose[:, :2] - obstacle.position_at(times))[:, np.newaxis], -obstacle.heading)
-    turn = (pose[:, 2] - obstacle.heading)[:, np.newaxis]
+    heading = obstacle.heading_at(times)[:, np.newaxis]
+    origin = _rotate((pose[:, :2] - obstacle.position_at(times))[:, np.newaxis], -heading)
+    turn = pose[:, 2, np.newaxis] - heading
     seen: NDArray[np.float64] = origin + _rotate(vertices, turn)
     return seen
 

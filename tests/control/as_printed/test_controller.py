@@ -16,7 +16,7 @@ from swerve.qp import Problem
 from swerve.scenario import CORRECTIONS, load
 from swerve.simulate import run
 from swerve.simulate.assemble import controller_named
-from swerve.world import Ellipse, Obstacle, Rectangle
+from swerve.world import Ellipse, Obstacle, Rectangle, Steady
 from tests.control.unified.situations import AHEAD, RUNNING, broken_measurements, seen
 from tests.vehicle.motions import STATIC
 
@@ -65,7 +65,7 @@ def test_each_switch_changes_the_program(monkeypatch: pytest.MonkeyPatch, correc
 
 def test_the_obstacle_is_linearised_where_the_vehicle_is(monkeypatch: pytest.MonkeyPatch) -> None:
     """(15): 1 - rho_k on the right, rho_k and its gradient at (X_k, Y_k), for an ellipse with a heading."""
-    obstacle = Obstacle(Ellipse((3.0, 1.5)), (20.0, 1.0), heading=0.4)
+    obstacle = Obstacle(Ellipse((3.0, 1.5)), Steady((20.0, 1.0), heading=0.4))
     state = np.array([20.0, 0, 0, 0, 2.0, -0.5])
     problem = asked(monkeypatch, (), seen(0.0, state, obstacle), Memory(np.zeros(5)))
 
@@ -84,7 +84,7 @@ def test_the_obstacle_is_linearised_where_the_vehicle_is(monkeypatch: pytest.Mon
 
 def test_a_moving_obstacle_is_met_where_it_will_be(monkeypatch: pytest.MonkeyPatch) -> None:
     """Each sample has the rho of the obstacle's position at that sample."""
-    leading = Obstacle(Ellipse((2.0, 2.0)), (25.0, 0.0), velocity=(10.0, 0.0))
+    leading = Obstacle(Ellipse((2.0, 2.0)), Steady((25.0, 0.0), velocity=(10.0, 0.0)))
     problem = asked(monkeypatch, (), seen(0.0, RUNNING, leading), Memory(np.zeros(5)))
     distance = 25.0 + 10.0 * 0.05 * np.arange(1, 21)
     np.testing.assert_allclose(problem.row_lower[-20:], 1 - (distance / 2) ** 2, rtol=1e-12)
@@ -92,8 +92,8 @@ def test_a_moving_obstacle_is_met_where_it_will_be(monkeypatch: pytest.MonkeyPat
 
 def test_a_rectangle_is_taken_by_an_ellipse_round_it(monkeypatch: pytest.MonkeyPatch) -> None:
     """The paper knows ellipses alone: a box counts as the ellipse of its proportions through its corners."""
-    box = Obstacle(Rectangle(4.0, 2.0), (25.0, 0.0))
-    ellipse = Obstacle(Ellipse((np.sqrt(2) * 2.0, np.sqrt(2) * 1.0)), (25.0, 0.0))
+    box = Obstacle(Rectangle(4.0, 2.0), Steady((25.0, 0.0)))
+    ellipse = Obstacle(Ellipse((np.sqrt(2) * 2.0, np.sqrt(2) * 1.0)), Steady((25.0, 0.0)))
     first = asked(monkeypatch, (), seen(0.0, RUNNING, box), Memory(np.zeros(5)))
     second = asked(monkeypatch, (), seen(0.0, RUNNING, ellipse), Memory(np.zeros(5)))
     np.testing.assert_allclose(first.row_lower, second.row_lower)
@@ -103,7 +103,7 @@ def test_a_rectangle_is_taken_by_an_ellipse_round_it(monkeypatch: pytest.MonkeyP
 def test_the_command_is_the_first_change() -> None:
     """The receding horizon: the plan's first input is commanded and acts at the next step."""
     command, plan, memory = controller(*ALL).step(
-        seen(0.0, RUNNING, replace(AHEAD, position=(40.0, 0.5))), Memory(np.zeros(5))
+        seen(0.0, RUNNING, replace(AHEAD, motion=Steady((40.0, 0.5)))), Memory(np.zeros(5))
     )
     np.testing.assert_array_equal(command.as_input(), plan.inputs[0])
     np.testing.assert_array_equal(memory.command, plan.inputs[0])
@@ -137,7 +137,7 @@ def test_commands_are_within_the_limits(seed: int, corrections: tuple[str, ...])
 def test_without_a_solution_the_command_is_held(corrections: tuple[str, ...]) -> None:
     """On top of an obstacle the hard program is infeasible: the last command stays, and the failure is counted."""
     memory = Memory(np.array([0.02, -300.0, -300.0, -100.0, -100.0]))
-    inside = replace(AHEAD, position=(0.0, 0.0))
+    inside = replace(AHEAD, motion=Steady((0.0, 0.0)))
     command, plan, after = controller(*corrections).step(seen(0.0, RUNNING, inside), memory)
     np.testing.assert_array_equal(command.as_input(), memory.command)
     assert (plan.fallback, plan.solver_failures) == (Fallback.NO_SOLUTION, 1)
@@ -186,6 +186,6 @@ def test_the_side_is_named_where_an_obstacle_holds_the_plan() -> None:
     assert plan.side is None
     for lateral, side in ((0.8, Side.RIGHT), (-0.8, Side.LEFT)):
         _, plan, _ = controller(*ALL).step(
-            seen(0.0, RUNNING, replace(AHEAD, position=(38.0, lateral))), Memory(np.zeros(5))
+            seen(0.0, RUNNING, replace(AHEAD, motion=Steady((38.0, lateral)))), Memory(np.zeros(5))
         )
         assert plan.side is side

@@ -21,13 +21,13 @@ from swerve.signals import Command
 from swerve.vehicle import vehicle_named
 from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters
-from swerve.world import Ellipse, Obstacle, Point, distance_ratio
+from swerve.world import Ellipse, Obstacle, Point, Steady, distance_ratio
 
 Array = NDArray[np.float64]
 
 SEDAN, FRICTION = vehicle_named("d-class-sedan"), 0.85
 LOADS = np.array(wheel_loads(Parameters.of(SEDAN, FRICTION)))
-OBSTACLE = Obstacle(Ellipse((2.0, 2.0)), (17.0, 0.0))
+OBSTACLE = Obstacle(Ellipse((2.0, 2.0)), Steady((17.0, 0.0)))
 QUESTION = Question(np.array([20.0, 0, 0, 0, 0, 0]), np.zeros(5), LOADS, (OBSTACLE,))
 HORIZON = Horizon(20, 15, 0.05)
 UNIFIED = load("paper").controller.unified.model_dump()

@@ -1,26 +1,28 @@
-"""Roll-outs, programs and measurements to try the unified controller's parts on."""
+"""Roll-outs, scenes, programs and measurements to try the unified controller's parts on."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from swerve.control import Horizon, Side
-from swerve.control.unified import UnifiedController
-from swerve.control.unified.acceptance import Step
-from swerve.control.unified.branch import SidePlan
+from swerve.control import Goal, Horizon, Latency, Side, Weights
+from swerve.control.plan import Passing
+from swerve.control.unified import Formulation, UnifiedController, UnifiedSettings
 from swerve.control.unified.condensing import Blocking, Sensitivities, condense
+from swerve.control.unified.deadline import Deadline
+from swerve.control.unified.forecast import Forecast, forecasts
 from swerve.control.unified.memory import Memory
 from swerve.control.unified.prediction import PredictionModel, Trajectory
-from swerve.control.unified.program import Score
+from swerve.control.unified.scene import Scene
+from swerve.control.unified.situation import Situation
+from swerve.control.unified.way import Way
 from swerve.scenario import load
 from swerve.sensing import Noise, Past, Sensor, Truth
 from swerve.signals import Measurement
-from swerve.simulate.assemble import controller_named
-from swerve.world import Ellipse, Obstacle
+from swerve.world import Ellipse, Obstacle, Rectangle, Shape, Steady
 from tests.vehicle.motions import SEDAN, STATIC
 
 Array = NDArray[np.float64]
@@ -28,8 +30,12 @@ Array = NDArray[np.float64]
 HORIZON = Horizon(20, 15, 0.05)
 BLOCKING = Blocking(HORIZON)
 SIDES = (Side.LEFT, Side.RIGHT)
+PASSED = (Passing.LEFT, Passing.RIGHT)
 RUNNING = np.array([20.0, 0, 0, 0, 0, 0])
-AHEAD = Obstacle(Ellipse((2.0, 2.0)), (25.0, 0.0))
+AHEAD = Obstacle(Ellipse((2.0, 2.0)), Steady((25.0, 0.0)))
+CAR = Rectangle(4.85, 1.8, (-0.4, 0.0))
+BOX_CAR = ("ego.footprint=rectangle",)
+LANES = ("road.lane_width=3.5 m", "road.lanes_left=1", "road.lanes_right=0")
 seeds = st.integers(0, 2**32 - 1)
 
 
@@ -72,32 +78,87 @@ def along_the_linear_model(trajectory: Trajectory, sensitivities: Sensitivities,
 
 
 @cache
+def formulation(*overrides: str) -> Formulation:
+    """The formula for the paper's scenario, with overrides as in a file; a perfect actuator."""
+    scenario = load("paper", overrides)
+    settings = scenario.controller
+    return Formulation(
+        vehicle=scenario.ego.to_vehicle(),
+        footprint=scenario.ego.to_footprint(),
+        road=scenario.road.to_world(),
+        friction=scenario.road.friction,
+        goal=Goal(**scenario.goal.model_dump()),
+        horizon=Horizon(settings.prediction_horizon, settings.control_horizon, settings.sample_time),
+        weights=Weights(**settings.weights.model_dump()),
+        latency=Latency(scenario.sensing.delay, 0.0, 0.0),
+        settings=UnifiedSettings(**settings.unified.model_dump()),
+    )
+
+
+@cache
 def controller(*overrides: str) -> UnifiedController:
-    """The unified controller of the paper's scenario."""
-    made: Any = controller_named("unified", load("paper", overrides), "planar")
-    return made
+    """The unified controller of that formula, which counts its work."""
+    return UnifiedController(formulation(*overrides))
 
 
 def seen(time: float = 0.0, state: Array = RUNNING, *obstacles: Obstacle) -> Measurement:
     """What is measured at this time; with no obstacle named, the paper's."""
+    return empty(time, state, *(obstacles or (AHEAD,)))
+
+
+def empty(time: float = 0.0, state: Array = RUNNING, *obstacles: Obstacle) -> Measurement:
+    """What is measured at this time, with no obstacle but the named ones."""
     sensor = Sensor(delay=0.0, noise=Noise(), estimates_loads=False, vehicle=SEDAN)
     now = Past(step=1e-3, n_substeps=50, start=Truth(state, STATIC, np.zeros(2)))
-    return sensor.measure(time, now, obstacles or (AHEAD,), np.random.default_rng(0))
+    return sensor.measure(time, now, obstacles, np.random.default_rng(0))
 
 
-def planned(n: int = 1) -> Memory:
+def planned(n: int = 1, *overrides: str) -> Memory:
     """The controller's memory after n steps of the paper's scenario, the vehicle following its plans."""
-    memory, state = controller().start(), RUNNING
+    memory, state = controller(*overrides).start(), RUNNING
     for k in range(n):
-        _, plan, memory = controller().step(seen(0.05 * k, state), memory)
+        _, plan, memory = controller(*overrides).step(seen(0.05 * k, state), memory)
         state = plan.states[1]
     return memory
 
 
-def side_plan(side: Side, merit: float, violation: float = 0.0) -> SidePlan:
-    """A side's plan with this merit and missed margin [m]; the motion does not matter."""
-    nothing = model().roll_out(RUNNING, np.zeros((20, 5)), STATIC)
-    return SidePlan(side, Step(nothing, Score(merit, 0.0, ())), violation, True, 1.0, 1, 0)
+def forecast(
+    shape: Shape, position: Sequence[float], velocity: Sequence[float] = (0.0, 0.0), **more: float
+) -> Forecast:
+    """What is expected of an obstacle seen at time zero that keeps its velocity; `heading` may be given."""
+    motion = np.array(position, dtype=float), np.array(velocity, dtype=float), np.zeros(2)
+    return Forecast(shape, more.get("heading", 0.0), 0.0, *motion)
+
+
+def scene(
+    *obstacles: Obstacle, state: Array = RUNNING, memory: Memory | None = None, of: tuple[str, ...] = ()
+) -> Scene:
+    """The scene of a step that measures this state and these obstacles, for the overrides `of`."""
+    measurement = empty(0.0, state, *obstacles)
+    known = memory or controller(*of).start()
+    expected = forecasts(0.0, measurement.obstacles, ())
+    return formulation(*of).scene(measurement, replace(known, forecasts=expected))
+
+
+def situation(
+    passing: tuple[Passing, ...], *obstacles: Obstacle, state: Array = RUNNING, of: tuple[str, ...] = ()
+) -> Situation:
+    """The situation of a way that passes these obstacles like that, with ample time."""
+    found = scene(*obstacles, state=state, of=of)
+    way = Way(passing, tuple(range(len(passing))))
+    here = empty(0.0, state, *obstacles)
+    return formulation(*of).situation(found, way, here, controller(*of).start(), Deadline(np.inf, None))
+
+
+def in_the_mirror(obstacle: Obstacle) -> Obstacle:
+    """A steady obstacle, left for right."""
+    (x, y), (vx, vy) = obstacle.position_at(0.0), obstacle.velocity_at(0.0)
+    return Obstacle(obstacle.shape, Steady((x, -y), (vx, -vy), -float(obstacle.heading_at(0.0))))
+
+
+def other_side(passing: Passing) -> Passing:
+    """Left for right; behind stays behind."""
+    return Passing(-passing.value)
 
 
 def with_entry(values: Array, place: int, value: float) -> Array:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from swerve.control import Latency
 from swerve.control.unified.compensation import is_late, n_commands, state_at_effect
 from swerve.vehicle.integrate import rk4
-from swerve.world import Ellipse, Obstacle
+from swerve.world import Ellipse, Obstacle, Steady
 from tests.control.unified.situations import RUNNING, controller, model, random_start, seeds, seen
 from tests.control.unified.test_prediction import ROLLING
 from tests.vehicle.motions import STATIC, move
@@ -65,7 +65,7 @@ def test_an_old_measurement_is_planned_from_like_a_fresh_one(delay: float) -> No
     included.
     """
     delayed = controller(f"sensing.delay={delay}")
-    obstacle = Obstacle(Ellipse((2.0, 2.0)), (14.0, -0.7), velocity=(5.0, 0.3))
+    obstacle = Obstacle(Ellipse((2.0, 2.0)), Steady((14.0, -0.7), velocity=(5.0, 0.3)))
     measured = seen(1.0 - delay, RUNNING, obstacle)
     old = replace(measured, time=1.0)
     now = seen(1.0, RUNNING + np.array([0, 0, 0, 0, 20.0 * delay, 0]), obstacle)

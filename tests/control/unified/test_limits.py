@@ -5,12 +5,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from swerve.control import Side
 from swerve.control.unified.condensing import INPUT_SCALE
-from swerve.control.unified.limits import InputBox, Penalty, SlipLimit, SteeringRateLimit
+from swerve.control.unified.limits import InputBox, Lane, Penalty, RoadEdge, SlipLimit, SteeringRateLimit
+from swerve.control.unified.limits.limit import MOST_ROWS, nearest
+from swerve.control.unified.prediction import Trajectory
 from swerve.vehicle.tyre import lateral_force
+from swerve.world import Footprint, Point
 from tests.control.unified.situations import (
     BLOCKING,
+    CAR,
     RUNNING,
+    SIDES,
     along_the_linear_model,
     model,
     random_inputs,
@@ -31,6 +37,100 @@ def test_a_violation_costs_its_size_and_its_square(violation: float, linear: flo
     assert price.of(violation) == pytest.approx(linear * violation + quadratic * violation**2)
     assert price.of(0.0) == 0.0
     assert price.of(violation + 1) >= price.of(violation)
+
+
+@given(st.floats(0.0, 5.0), st.floats(0.0, 2.0), st.floats(0.0, 1e3))
+def test_comfort_is_cheap_and_beyond_it_all_is_as_without(violation: float, comfort: float, cheap: float) -> None:
+    """The first part costs its own price; what is beyond costs, and counts, as if there were no comfort."""
+    bare, price = Penalty(5e3, 1e5), Penalty(5e3, 1e5, comfort, cheap)
+    beyond = max(0.0, violation - comfort)
+    assert price.missed(violation) == beyond
+    assert price.of(violation) == pytest.approx(cheap * min(violation, comfort) + bare.of(beyond))
+    assert bare.missed(violation) == violation
+
+
+@given(st.lists(st.floats(-5.0, 5.0), max_size=120, unique=True), st.floats(-1.0, 5.0))
+def test_the_nearest_are_the_smallest_in_reach(gaps: list[float], reach: float) -> None:
+    """Of what is in reach the MOST_ROWS smallest, in their order."""
+    found = nearest(np.array(gaps), reach)
+    wanted = sorted(sorted((i for i, gap in enumerate(gaps) if gap < reach), key=lambda i: gaps[i])[:MOST_ROWS])
+    assert found.tolist() == wanted
+
+
+def test_violations_are_never_left_out_for_their_number() -> None:
+    """Of many rows that are violated alike the worst one is among those that are kept."""
+    gaps = np.full(90, -1.0)
+    gaps[77] = -1.5
+    assert 77 in nearest(gaps, 1.0)
+    assert len(nearest(gaps, 1.0)) == MOST_ROWS
+
+
+# Edges and lanes
+
+
+def footprint_ends(footprint: Footprint, poses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Smallest and largest Y of the footprint at each pose, by its corners."""
+    x, y = footprint.outline().T
+    across = poses[:, 1, np.newaxis] + np.outer(np.sin(poses[:, 2]), x) + np.outer(np.cos(poses[:, 2]), y)
+    return across.min(axis=1), across.max(axis=1)
+
+
+@settings(max_examples=30)
+@given(seeds, st.sampled_from([Point(), CAR]), st.sampled_from(SIDES), st.floats(-3.0, 3.0))
+def test_an_edge_is_missed_by_the_corner_that_is_furthest_out(
+    seed: int, footprint: Footprint, side: Side, edge: float
+) -> None:
+    """The violation is what the margin lacks between the edge and the outermost corner, at any pose but the first."""
+    trajectory, _, _ = random_roll_out(seed)
+    found = RoadEdge(side, edge, footprint, 0.1, Penalty(1.0, 1.0))
+    lowest, highest = (each[1:] for each in footprint_ends(footprint, trajectory.poses))
+    room = edge - highest if side is Side.LEFT else lowest - edge
+    assert found.violation(trajectory) == pytest.approx(max(0.0, 0.1 - float(room.min())), abs=1e-12)
+    assert found.name == ("left edge" if side is Side.LEFT else "right edge")
+
+
+@settings(max_examples=30)
+@given(seeds, st.sampled_from([Point(), CAR]), st.sampled_from(SIDES), st.floats(-1.0, 1.0))
+def test_edge_rows_are_the_slopes_of_the_room(seed: int, footprint: Footprint, side: Side, edge: float) -> None:
+    """Each row is the change of the room to the edge with the free inputs, and says how much of it is missing."""
+    trajectory, sensitivities, random = random_roll_out(seed)
+    found = RoadEdge(side, trajectory.poses[20, 1] + edge, footprint, 0.1, Penalty(1.0, 1.0))
+    rows = found.rows(trajectory, sensitivities)
+    assert np.isinf(rows.upper).all()
+    z = 1e-6 * random.normal(size=BLOCKING.n)
+
+    def missing(at: Trajectory) -> np.ndarray:
+        lowest, highest = (each[1:] for each in footprint_ends(footprint, at.poses))
+        return 0.1 - (found.edge - highest if side is Side.LEFT else lowest - found.edge)
+
+    before, after = missing(trajectory), missing(along_the_linear_model(trajectory, sensitivities, z))
+    near = np.flatnonzero(-before + 0.1 < 1.5)
+    assert len(rows.lower) == len(near)
+    np.testing.assert_allclose(rows.lower, before[near], atol=1e-12)
+    away_from_kink = (np.abs(np.sin(trajectory.poses[1:, 2])) > 1e-4)[near] | (footprint == Point())
+    np.testing.assert_allclose((rows.matrix @ z)[away_from_kink], (before - after)[near][away_from_kink], atol=1e-10)
+
+
+@settings(max_examples=30)
+@given(seeds, st.floats(-2.0, 2.0), st.floats(0.0, 1.0))
+def test_a_lane_is_missed_on_both_sides(seed: int, middle: float, half: float) -> None:
+    """The violation is the largest distance of the centre of gravity beyond the band; rows are its slopes."""
+    trajectory, sensitivities, random = random_roll_out(seed)
+    found = Lane(middle - half, middle + half, Penalty(1.0, 1.0))
+    y = trajectory.poses[1:, 1]
+    beyond = np.maximum(y - found.highest, found.lowest - y)
+    assert found.violation(trajectory) == pytest.approx(max(0.0, float(beyond.max())), abs=1e-12)
+    rows = found.rows(trajectory, sensitivities)
+    z = random.normal(0.0, 0.05, BLOCKING.n)
+    there = along_the_linear_model(trajectory, sensitivities, z).poses[1:, 1]
+    in_reach = (y > found.highest - 0.5) | (y < found.lowest + 0.5)
+    assert len(rows.lower) == min(MOST_ROWS, np.count_nonzero(in_reach))
+    if np.count_nonzero(in_reach) <= MOST_ROWS:
+        above, below = np.isfinite(rows.upper), np.isfinite(rows.lower)
+        np.testing.assert_allclose((rows.upper - rows.matrix @ z)[above], (found.highest - there)[in_reach][above])
+        np.testing.assert_allclose((rows.matrix @ z - rows.lower)[below], (there - found.lowest)[in_reach][below])
+        assert (above | below).all()
+    assert (rows.lower <= rows.upper).all()
 
 
 @settings(max_examples=30)
@@ -90,6 +190,16 @@ def test_what_the_box_allows_is_within_the_vehicles_limits(seed: int) -> None:
     free = BLOCKING.free(inputs)
     assert (np.abs(free[:, 0]) <= SEDAN.steering_limit + 1e-12).all()
     assert (np.abs(free[:, 1:]) <= 0.95 * 0.85 * STATIC + 1e-9).all()
+
+
+@pytest.mark.parametrize("load", [-1.0, -1e4, 0.0])
+def test_a_wheel_that_carries_nothing_has_no_force(load: float) -> None:
+    """A load that is measured as less than nothing, as noise at a lifted wheel is, leaves a box that is not empty."""
+    loads = STATIC * [1, 1, 1, 0] + np.array([0, 0, 0, load])
+    box = InputBox.of(SEDAN, 0.85, loads, BLOCKING)
+    assert box.largest[4] == 0.0
+    lower, upper = box.bounds(model().roll_out(RUNNING, np.zeros((20, 5)), STATIC), TRUST)
+    assert (lower <= upper).all()
 
 
 def test_the_force_limit_leaves_room_for_the_lateral_demand() -> None:

@@ -98,7 +98,7 @@ def test_a_solver_that_never_answers_is_no_exception(controller: str, monkeypatc
     def no_answer(problem: Any, *rest: Any, **named: Any) -> Solution:
         return Solution.without_answer(problem, Status.FAILED, 0, "none")
 
-    monkeypatch.setattr("swerve.control.unified.branch.solve", no_answer)
+    monkeypatch.setattr("swerve.control.unified.improve.solve", no_answer)
     monkeypatch.setattr("swerve.control.as_printed.controller.solve", no_answer)
     result = run(load("paper", SHORT), controller, "planar").result
     assert result.fallback_steps == N_STEPS

@@ -15,8 +15,8 @@ from swerve.study.manoeuvres import (
     run_manoeuvre,
 )
 from swerve.study.manoeuvres.manoeuvre import Car, Measures
-from swerve.study.manoeuvres.steady_state import cornering_stiffness
 from swerve.vehicle import vehicle_named
+from swerve.vehicle.steady_state import cornering_stiffness
 
 SEDAN = vehicle_named("d-class-sedan")
 MU = 0.85

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
+from swerve.driver.preview import preview_steering
 from swerve.study.manoeuvres import DoubleLaneChange, SmoothLaneChange, run_manoeuvre
 from swerve.study.manoeuvres.course import Course
 from swerve.study.manoeuvres.path import LanePath
-from swerve.study.manoeuvres.preview import preview_steering
-from swerve.study.manoeuvres.steady_state import steering_per_acceleration
 from swerve.vehicle import vehicle_named
-from swerve.world import Obstacle, Point, Rectangle, clearance
+from swerve.vehicle.steady_state import steering_per_acceleration
+from swerve.world import Obstacle, Point, Rectangle, Steady, clearance
 
 SEDAN = vehicle_named("d-class-sedan")
 COURSE = Course.iso_3888_2(1.8)
@@ -50,7 +50,9 @@ def test_clearances_are_those_of_the_geometry() -> None:
     body = Rectangle(SEDAN.length, SEDAN.width, (SEDAN.cg_to_front_end - SEDAN.length / 2, 0.0))
     measured = COURSE.clearances(SEDAN, poses)
     for cone, gap in zip(COURSE.cones(), measured, strict=True):
-        exact = clearance(body, poses, Obstacle(Point(), (cone[0], cone[1]), (0.0, 0.0), 0.0), np.zeros(3)).min()
+        exact = clearance(
+            body, poses, Obstacle(Point(), Steady((cone[0], cone[1]), (0.0, 0.0), 0.0)), np.zeros(3)
+        ).min()
         assert max(gap, 0.0) == pytest.approx(exact, abs=1e-9)
     middle_of_body = np.array(
         [[COURSE.cones()[0][0] + SEDAN.length / 2 - SEDAN.cg_to_front_end, COURSE.cones()[0][1], 0]]

@@ -102,14 +102,14 @@ class AsPrintedController(Controller[Memory]):
         inputs = u + np.vstack([deviations, np.tile(after, (n_after, 1))])
         held = solution.row_multipliers[deviations.size :]
         side = None if np.abs(held).max(initial=0.0) < 1e-9 else _side(states)
-        plan = Plan(measurement.time, inputs, states, side)
+        plan = Plan(measurement.time, inputs, states, side, is_shaped=side is not None)
         return Command.from_input(inputs[0]), plan, Memory(inputs[0])
 
     def _hold(
         self, time: float, memory: Memory, reason: Fallback, solver_failures: int = 0
     ) -> tuple[Command, Plan, Memory]:
         inputs = np.tile(memory.command, (self._horizon.prediction, 1))
-        plan = Plan(time, inputs, np.empty((0, N_STATES)), None, fallback=reason, solver_failures=solver_failures)
+        plan = Plan(time, inputs, np.empty((0, N_STATES)), fallback=reason, solver_failures=solver_failures)
         return Command.from_input(memory.command), plan, memory
 
 

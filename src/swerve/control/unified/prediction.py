@@ -9,7 +9,7 @@ Each sample, with its input held, is two Runge-Kutta steps, so that the pose hal
 by automatic differentiation of the whole step: lateral forces, load and friction included.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import casadi as ca
@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control.settings import Horizon
-from swerve.conventions import N_INPUTS, N_STATES, PSI, X, Y
+from swerve.conventions import N_INPUTS, N_STATES, POSE, PSI, X, Y
 from swerve.kernel import Kernel
 from swerve.vehicle import Vehicle
 from swerve.vehicle.integrate import rk4
@@ -27,7 +27,6 @@ from swerve.vehicle.tyre import factors, magic_formula
 Array = NDArray[np.float64]
 
 N_OUTPUTS = 5  # y above
-POSE = [X, Y, PSI]
 SLIP_SPEED_FLOOR = 5.0  # [m/s] keeps Runge-Kutta steps of 25 ms stable down to standstill; see two_track
 
 
@@ -38,10 +37,11 @@ class Trajectory:
     Attributes:
         inputs: (Np, 5) [rad, N, N, N, N].
         states: (Np + 1, 6), the first of them given.
-        poses: (2 Np + 1, 3) of X [m], Y [m], psi [rad] at every half sample.
+        poses: (2 Np + 1, 3) of X [m], Y [m], psi [rad] at every half sample; then those beyond the horizon.
         front_slip: (Np,) of the front axle's middle when each input sets in [rad].
         rear_slip: (Np,) of the rear axle's middle at the end of each sample [rad].
         lateral_demand: (Np, 4) |M(alpha)| / D of each wheel when each input sets in: 1 at its peak [1].
+        speeds_beyond: along X at each pose beyond the horizon [m/s].
     """
 
     inputs: Array
@@ -50,6 +50,11 @@ class Trajectory:
     front_slip: Array
     rear_slip: Array
     lateral_demand: Array
+    speeds_beyond: Array = field(default_factory=lambda: np.empty(0))
+
+    def extended(self, poses: Array, speeds: Array) -> "Trajectory":
+        """The same with poses (n, 3) beyond the horizon, and the speeds (n,) there."""
+        return replace(self, poses=np.concatenate([self.poses, poses]), speeds_beyond=speeds)
 
     @property
     def is_finite(self) -> bool:

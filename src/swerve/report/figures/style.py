@@ -96,10 +96,14 @@ def _put_text(figure: Figure, text: str) -> None:
 def caption(run: Run) -> str:
     """Scenario, controller, plant and verdict."""
     result = run.result
-    # beyond Latin-1 a name may have letters that the font does not
-    name = one_line(result.scenario, LONGEST_NAME).encode("latin-1", "replace").decode("latin-1")
+    name = printable(one_line(result.scenario, LONGEST_NAME))
     who = f"{name}: {result.controller} on {result.plant}, seed {result.seed}, swerve {result.version}"
     return f"{who}. {result.outcome.value.replace('_', ' ').capitalize()}{_how_near(result)}."
+
+
+def printable(text: str) -> str:
+    """The text with "?" for what is beyond Latin-1, where it may have letters that the font does not."""
+    return text.encode("latin-1", "replace").decode("latin-1")
 
 
 def _how_near(result: Result) -> str:

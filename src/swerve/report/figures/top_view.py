@@ -13,10 +13,11 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
+from swerve.errors import one_line
 from swerve.report.figures.body import bodies, wheels
 from swerve.report.figures.strips import add_axes, cut
-from swerve.report.figures.style import BLACK, BLUE, GREY, ORANGE, WIDTH, put_caption, styled
-from swerve.report.figures.view import EVERY, View, outline, view_of, within
+from swerve.report.figures.style import BLACK, BLUE, GREY, ORANGE, WIDTH, printable, put_caption, styled
+from swerve.report.figures.view import EVERY, View, is_moving, outline, view_of, within
 from swerve.simulate import Run
 from swerve.vehicle import Vehicle
 from swerve.world import Road
@@ -26,6 +27,9 @@ Array = NDArray[np.float64]
 LABELLED: Final = 4  # one instant in so many, which is a whole second: drawn in full, and labelled
 LABEL_ROOM: Final = 0.35  # between two labels [inch]
 LABEL_OFFSET: Final = 5.5  # from what is labelled to the middle of the label [point]
+
+DOUBLE_LINE: Final = 0.3  # between the two lines that part the directions [m]
+LONGEST_LABEL: Final = 20  # characters of an obstacle's name
 
 PALE_BLUE: Final = (0.0, 0.45, 0.70, 0.18)  # lets those below show
 PALE_ORANGE: Final = "#F6D5C3"
@@ -44,6 +48,7 @@ def top_view(run: Run) -> Figure:
         _draw_obstacles(axes, view)
         _draw_vehicle(axes, view, vehicle, is_point=run.scenario.ego.footprint == "point")
         _label_instants(axes, view, strips.scale, vehicle.width / 2)
+        _label_names(axes, view)
     figure.legend(*panels[0].get_legend_handles_labels(), loc="upper center", ncols=4)
     put_caption(figure, run)
     return figure
@@ -56,13 +61,17 @@ def _draw_road(axes: Axes, road: Road) -> None:
     for edge in (lines[0], lines[-1]):
         axes.axhline(edge, color=BLACK, linewidth=1.4, zorder=1)
     for between in lines[1:-1]:
-        axes.axhline(between, color=GREY, linewidth=0.8, dashes=(8, 6), zorder=1)
+        if between == road.oncoming_edge:
+            for half in (-DOUBLE_LINE / 2, DOUBLE_LINE / 2):
+                axes.axhline(between + half, color=BLACK, linewidth=0.6, zorder=1)
+        else:
+            axes.axhline(between, color=GREY, linewidth=0.8, dashes=(8, 6), zorder=1)
 
 
 def _draw_obstacles(axes: Axes, view: View) -> None:
     label = "obstacle"
     for obstacle in view.obstacles:
-        outlines = outline(obstacle, view.times if any(obstacle.velocity) else view.times[:1])
+        outlines = outline(obstacle, view.times if is_moving(obstacle, view.times) else view.times[:1])
         is_shown = within(outlines[..., 0], *view.x).any(axis=1)
         is_full = is_shown & (np.arange(len(outlines)) % LABELLED == 0)
         _add(axes, outlines[is_shown & ~is_full], facecolors="none", edgecolors=PALE_ORANGE, linewidths=0.6)
@@ -98,18 +107,29 @@ def _label_instants(axes: Axes, view: View, scale: float, half_width: float) -> 
         if np.hypot(*(pose[:2] - last)) * scale < LABEL_ROOM:
             continue
         last, left = pose[:2], np.array([-np.sin(pose[2]), np.cos(pose[2])])
-        _label(axes, time, last + half_width * left, left, BLUE)
+        _label(axes, f"{time:g} s", last + half_width * left, left, BLUE)
         for obstacle in view.obstacles:
-            if any(obstacle.velocity):
+            if is_moving(obstacle, view.times):
                 lowest = outline(obstacle, np.array([time]))[0, :, 1].min()
                 centre = obstacle.position_at(time)[0]
-                _label(axes, time, np.array([centre, lowest]), np.array([0.0, -1.0]), ORANGE)
+                _label(axes, f"{time:g} s", np.array([centre, lowest]), np.array([0.0, -1.0]), ORANGE)
 
 
-def _label(axes: Axes, time: float, position: Array, away: Array, color: str) -> None:
-    """The time [s] beside a position (2,) [m], in the direction `away` (2,) from it."""
+def _label_names(axes: Axes, view: View) -> None:
+    """The name of each obstacle that has one, above the first of its outlines that are drawn."""
+    for obstacle, name in zip(view.obstacles, view.names, strict=True):
+        outlines = outline(obstacle, view.times)
+        shown = outlines[within(outlines[..., 0], *view.x).any(axis=1)]
+        if name is not None and len(shown):
+            middle = np.clip(shown[0, :, 0].mean(), *view.x)
+            text = printable(one_line(name, LONGEST_LABEL))
+            _label(axes, text, np.array([middle, shown[0, :, 1].max()]), np.array([0.0, 1.0]), ORANGE)
+
+
+def _label(axes: Axes, text: str, position: Array, away: Array, color: str) -> None:
+    """A text beside a position (2,) [m], in the direction `away` (2,) from it."""
     axes.annotate(
-        f"{time:g} s",
+        text,
         (position[0], position[1]),
         (LABEL_OFFSET * away[0], LABEL_OFFSET * away[1]),
         textcoords="offset points",
@@ -118,5 +138,6 @@ def _label(axes: Axes, time: float, position: Array, away: Array, color: str) ->
         color=color,
         fontsize=6.5,
         annotation_clip=True,
+        parse_math=False,
         path_effects=[withStroke(linewidth=2.0, foreground="white")],
     )

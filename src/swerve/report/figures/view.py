@@ -29,6 +29,7 @@ class View:
         steering: at the instants (n,) [rad].
         path: of the centre of gravity, at each step of the plant (m, 2) [m].
         obstacles: of the scenario.
+        names: of the obstacles, None for one without.
         closest: row of `path` that is nearest to an obstacle, the first one in contact; None without obstacles.
         x: the stretch that is drawn [m].
         y: its lower and upper end [m].
@@ -39,6 +40,7 @@ class View:
     steering: Array
     path: Array
     obstacles: tuple[Obstacle, ...]
+    names: tuple[str | None, ...]
     closest: int | None
     x: tuple[float, float]
     y: tuple[float, float]
@@ -59,15 +61,22 @@ def view_of(run: Run) -> View:
     middle = rows[0 if closest is None else closest]
     x = _stretch(points[:, 0], middle[1])
     y = _stretch(np.append(points[within(points[:, 0], *x), 1], _edges(run.scenario.road.to_world())), middle[2])
-    return View(instants[:, 0], poses, instants[:, 4], rows[:, 1:3], obstacles, closest, x, y)
+    names = tuple(obstacle.name for obstacle in run.scenario.obstacles)
+    return View(instants[:, 0], poses, instants[:, 4], rows[:, 1:3], obstacles, names, closest, x, y)
 
 
 def outline(obstacle: Obstacle, times: Array) -> Array:
     """The obstacle's outline at each of the times (n,) [s]: (n, k, 2) [m]."""
-    cos, sin = np.cos(obstacle.heading), np.sin(obstacle.heading)
-    turned = obstacle.shape.outline() @ np.array([[cos, sin], [-sin, cos]])
-    placed: Array = obstacle.position_at(times)[:, np.newaxis] + turned
+    cos, sin = np.cos(obstacle.heading_at(times)), np.sin(obstacle.heading_at(times))
+    turns = np.stack([np.stack([cos, sin], axis=-1), np.stack([-sin, cos], axis=-1)], axis=-2)
+    placed: Array = obstacle.position_at(times)[:, np.newaxis] + obstacle.shape.outline() @ turns
     return placed
+
+
+def is_moving(obstacle: Obstacle, times: Array) -> bool:
+    """Whether it is anywhere else at any of the times (n,) [s] than at the first."""
+    positions = obstacle.position_at(times)
+    return bool((positions != positions[0]).any())
 
 
 def within(values: Array, low: float, high: float) -> NDArray[np.bool_]:

@@ -15,12 +15,12 @@ from typing import ClassVar, Final
 import numpy as np
 
 from swerve.conventions import X
+from swerve.driver.preview import preview_steering
 from swerve.plant import PlantState
 from swerve.signals import Command
 from swerve.simulate import Table
 from swerve.study.manoeuvres.manoeuvre import Car, Driver, Manoeuvre, Measure, Measures
 from swerve.study.manoeuvres.path import LanePath
-from swerve.study.manoeuvres.preview import preview_steering
 from swerve.study.manoeuvres.readings import largest, sideslip
 from swerve.study.manoeuvres.wheel_forces import accelerate, hold_speed
 from swerve.vehicle.quantities import check, quantity

@@ -17,9 +17,9 @@ from swerve.signals import Command
 from swerve.simulate import Table
 from swerve.study.manoeuvres.manoeuvre import Car, Driver, Manoeuvre, Measure, Measures
 from swerve.study.manoeuvres.readings import largest, sideslip
-from swerve.study.manoeuvres.steady_state import steering_per_acceleration
 from swerve.study.manoeuvres.wheel_forces import hold_speed
 from swerve.vehicle.quantities import check, quantity
+from swerve.vehicle.steady_state import steering_per_acceleration
 
 LEAST = 0.1  # of the linear range, where it begins [1]
 

@@ -1,4 +1,5 @@
-"""Bounds on the inputs themselves, (14): steering lock, wheel forces, and the trust region of the linearisation.
+"""Bounds on the inputs themselves, (14): steering lock, wheel forces, and the trust region of the linearisation; and
+which inputs there are (control/actuation.py).
 
 A wheel that corners has less to brake with. At Fx = 0 the friction ellipse is flat, dFy/dFx = 0, so a linear model
 takes wheel force for free and spends the grip that the turn needs. The force limit therefore leaves room for the
@@ -7,7 +8,7 @@ lateral demand lambda = |M(alpha)| / D of the trajectory it is linearised about:
     |Fx| <= share mu Fz sqrt(1 - (RESERVE lambda)^2)
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,16 +30,19 @@ class InputBox:
     Attributes:
         largest: (5,) largest magnitude of each input, whatever the lateral demand [rad, N, N, N, N].
         blocking: of the free inputs.
+        held: (n, 5) inputs of the first samples, fewer than Nc, that are settled; none by default.
     """
 
     largest: Array
     blocking: Blocking
+    held: Array = field(default_factory=lambda: np.empty((0, N_INPUTS)))
 
     @classmethod
     def of(cls, vehicle: Vehicle, friction: float, loads: Array, blocking: Blocking) -> "InputBox":
         """The box of a vehicle on a road of `friction` [1] with wheel loads (4,) [N]."""
         largest = np.empty(N_INPUTS)
-        largest[DELTA], largest[FORCES] = vehicle.steering_limit, vehicle.force_limit * friction * loads
+        largest[DELTA] = vehicle.steering_limit
+        largest[FORCES] = vehicle.force_limit * friction * np.maximum(loads, 0)  # a lifted wheel's may be below zero
         return cls(largest, blocking)
 
     def bounds(self, trajectory: Trajectory, trust: Array) -> tuple[Array, Array]:
@@ -46,15 +50,23 @@ class InputBox:
 
         Where the trajectory breaks a bound by more than `trust`, the bound is approached by `trust`.
         """
-        inputs = self.blocking.free(trajectory.inputs)
-        demand = np.minimum(self.blocking.free(trajectory.lateral_demand), 1)
-        limit = np.empty_like(inputs)
-        limit[:, DELTA] = self.largest[DELTA]
-        limit[:, FORCES] = self.largest[FORCES] * np.sqrt(1 - (RESERVE * demand) ** 2)
-        lower = np.minimum(np.maximum(-limit - inputs, -trust), trust) / INPUT_SCALE
-        upper = np.minimum(np.maximum(limit - inputs, -trust), trust) / INPUT_SCALE
+        actuation, inputs = self.blocking.actuation, self.blocking.free(trajectory.inputs)
+        limit = self.limit(self.blocking.free(trajectory.lateral_demand))
+        lower = np.minimum(np.maximum(actuation.lower * limit - inputs, -trust), trust) / INPUT_SCALE
+        upper = np.minimum(np.maximum(actuation.upper * limit - inputs, -trust), trust) / INPUT_SCALE
+        n = len(self.held)
+        lower[:n] = upper[:n] = (self.held - inputs[:n]) / INPUT_SCALE
+        lower, upper = actuation.free_bounds(lower, upper)
         return lower.ravel(), upper.ravel()
 
-    def clip(self, u: Array) -> Array:
-        """Inputs (..., 5) within the largest magnitudes."""
-        return np.asarray(np.minimum(np.maximum(u, -self.largest), self.largest))
+    def limit(self, lateral_demand: Array) -> Array:
+        """Largest magnitudes (n, 5) beside lateral demands (n, 4) [1]."""
+        limit = np.tile(self.largest, (len(lateral_demand), 1))
+        limit[:, FORCES] *= np.sqrt(1 - (RESERVE * np.minimum(lateral_demand, 1)) ** 2)
+        return limit
+
+    def clip(self, inputs: Array) -> Array:
+        """The inputs (Np, 5) that there are, within the largest magnitudes; first those that are held."""
+        clipped = self.blocking.actuation.within(inputs, self.largest)
+        clipped[: len(self.held)] = self.held
+        return clipped

@@ -1,23 +1,21 @@
-"""The footprint stays out of an obstacle, on one side of it: eq. (15) as half-planes that nothing cuts between.
+"""The footprint stays out of an obstacle, passed in one way: eq. (15) as half-planes that nothing cuts between.
 
-    n . (p_j - c_j) - h(n) - h_ego(-n; psi_j) >= margin        for every half sample j
+    n . (p_j - c_j) - h(n) - h_ego(-n; psi_j) >= margin        for every half sample j, and beyond the horizon
 
-with p the centre of gravity, c the obstacle's predicted centre, h and h_ego the support functions of both shapes. The
-half-plane lies inside the region that is allowed: a plan that keeps the rows keeps clear.
+with p the centre of gravity, c the obstacle's expected centre, h and h_ego the support functions of both shapes. The
+half-plane lies inside the region that is allowed: a plan that keeps the rows keeps clear. Beyond the margin there is a
+gap for comfort, at a low price, that grows with foresight: of it is made up for what the prediction gets wrong.
 """
-
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.control.plan import Side
+from swerve.control.plan import Passing
 from swerve.control.unified.condensing import Sensitivities
-from swerve.control.unified.limits.limit import Penalty, Rows
+from swerve.control.unified.forecast import Forecast
+from swerve.control.unified.limits.limit import Penalty, Rows, nearest
 from swerve.control.unified.prediction import Trajectory
-from swerve.control.unified.separation import Planes, footprint_reach, separating_planes
-from swerve.control.unified.tail import Tail
-from swerve.world import Footprint, Obstacle
+from swerve.control.unified.separation import Planes, Separation
 
 Array = NDArray[np.float64]
 
@@ -26,24 +24,34 @@ SAG = 2e-3  # [m] of the margin that curvature may take: whole steps would other
 
 
 class ObstacleLimit:
-    """The limit for one obstacle, as it was seen at the start of the plan, passed on one side."""
+    """The limit for one obstacle, as it was seen at the start of the plan, passed in one way."""
 
     def __init__(
         self,
-        obstacle: Obstacle,
-        footprint: Footprint,
-        side: Side,
+        index: int,
+        forecast: Forecast,
         times: Array,
-        tail: Tail,
+        separation: Separation,
+        passing: Passing,
         margin: float,
         penalty: Penalty,
+        growth: float,
     ) -> None:
-        """Times (2 Np + 1,) [s] are those of the trajectory's poses; the obstacle is where it was seen at time 0."""
-        self._penalty = penalty
-        self._obstacle, self._footprint, self._side, self._margin = obstacle, footprint, side, margin
-        self._tail = tail
-        self._last: tuple[Trajectory, Gaps] | None = None
-        self._centres = obstacle.position_at(np.concatenate([times, times[-1] + tail.times]))
+        """Obstacle `index`; times (n_poses,) [s] are those of the trajectory's poses, on the controller's clock.
+
+        `growth` is by how much of itself the gap for comfort grows in a second of foresight [1/s].
+        """
+        self._name = f"obstacle {index}"
+        self._penalty, self._passing, self._margin = penalty, passing, margin
+        self._forecast, self._separation, self._times = forecast, separation, times
+        self._share = 1 / (1 + growth * (times[1:] - times[0]))
+        self._centres = forecast.position_at(times)
+        self._last: tuple[Trajectory, Planes] | None = None
+
+    @property
+    def name(self) -> str:
+        """As `Plan.active` says it."""
+        return self._name
 
     @property
     def penalty(self) -> Penalty:
@@ -51,43 +59,45 @@ class ObstacleLimit:
         return self._penalty
 
     def violation(self, trajectory: Trajectory) -> float:
-        """Largest distance by which the margin, less what curvature may take, is missed [m]."""
-        return max(0.0, self._margin - SAG - float(self._gaps(trajectory).gap.min()))
+        """Largest distance by which margin and comfort, less what curvature may take, are missed [m].
+
+        Within the comfort it is a share of the pose's own: all of it is missed where the margin begins.
+        """
+        spare = self._planes(trajectory).gap - self._margin + SAG
+        return max(0.0, self._penalty.comfort - float(np.minimum(spare, self._share * spare).min()))
 
     def is_near(self, trajectory: Trajectory) -> bool:
         """Whether any pose is within reach, so that `rows` are not empty."""
-        return bool(self._gaps(trajectory).gap.min() < REACH)
+        return self._smallest(trajectory) < REACH
 
     def rows(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Rows:
         """A row for each half-plane in reach."""
-        planes, gap, turning = self._gaps(trajectory)
-        near = np.flatnonzero(gap < REACH)
-        beyond = self._tail.sensitivities(trajectory.states[-1], sensitivities.states[-1])
-        of_poses = np.concatenate([sensitivities.poses, beyond])[planes.pose[near] - 1]
-        direction = np.column_stack([planes.normal[near], turning[near]])
-        matrix = (direction[:, np.newaxis] @ of_poses)[:, 0]
-        return Rows(matrix, self._margin - gap[near], np.full(len(near), np.inf))
+        planes = self._planes(trajectory)
+        near = nearest(planes.gap, REACH)
+        direction = np.column_stack([planes.normal[near], planes.turning[near]])
+        matrix = (direction[:, np.newaxis] @ sensitivities.poses[near])[:, 0]
+        spare, share = planes.gap[near] - self._margin, self._share[near]
+        share = np.where(spare < 0, 1.0, share)  # what misses the margin itself is priced in full
+        lower = self._penalty.comfort - share * spare
+        return Rows(share[:, np.newaxis] * matrix, lower, np.full(len(near), np.inf), share)
 
-    def _gaps(self, trajectory: Trajectory) -> "Gaps":
+    def impact(self, trajectory: Trajectory) -> tuple[int, Array] | None:
+        """The first pose at which the plan is in contact, and the obstacle's velocity (2,) then; None without one."""
+        planes = self._planes(trajectory)
+        touching = np.flatnonzero(planes.gap < 0)
+        if len(touching) == 0:
+            return None
+        first = int(touching[0]) + 1
+        return first, self._forecast.velocity_at(self._times[first : first + 1])[0]
+
+    def _smallest(self, trajectory: Trajectory) -> float:
+        return float(self._planes(trajectory).gap.min())
+
+    def _planes(self, trajectory: Trajectory) -> Planes:
         """Half-planes and gaps of a trajectory; those of the last one are kept, since it is asked for them thrice."""
         if self._last is None or self._last[0] is not trajectory:
-            self._last = trajectory, self._measure(trajectory)
+            from_centre = trajectory.poses.copy()
+            from_centre[:, :2] -= self._centres
+            shape, heading = self._forecast.shape, self._forecast.heading
+            self._last = trajectory, self._separation.planes(shape, heading, from_centre, self._passing)
         return self._last[1]
-
-    def _measure(self, trajectory: Trajectory) -> "Gaps":
-        beyond = self._tail.poses(trajectory.states[-1], self._side)
-        from_centre = np.concatenate([trajectory.poses, beyond])
-        from_centre[:, :2] -= self._centres
-        planes = separating_planes(self._obstacle, self._footprint, from_centre, self._side)
-        poses = from_centre[planes.pose]
-        reach, turning = footprint_reach(self._footprint, planes.normal, poses[:, 2])
-        gap = (planes.normal * poses[:, :2]).sum(axis=1) - planes.reach - reach
-        return Gaps(planes, gap, -turning)
-
-
-class Gaps(NamedTuple):
-    """Half-planes, the gap to each (k,) [m], and its derivative by psi (k,) [m/rad]."""
-
-    planes: Planes
-    gap: Array
-    turning: Array

@@ -28,6 +28,11 @@ class SlipLimit:
     limit: float
     penalty: Penalty
 
+    @property
+    def name(self) -> str:
+        """As `Plan.active` says it."""
+        return "slip"
+
     def violation(self, trajectory: Trajectory) -> float:
         """Largest slip angle beyond the limit [rad]."""
         largest = max(np.abs(trajectory.front_slip).max(), np.abs(trajectory.rear_slip).max())

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class SteeringRateLimit:
-    """The limit for one actuator.
+    """The limit for one actuator, where it is free.
 
     Attributes:
         largest_change: rate limit times sample time [rad].
@@ -39,6 +39,7 @@ class SteeringRateLimit:
         """One row a free input, in units of the scaled steering angle."""
         steering = self.blocking.free(trajectory.inputs)[:, DELTA]
         change = np.diff(steering, prepend=self.previous) / INPUT_SCALE[DELTA]
-        matrix = (np.eye(self.blocking.n) - np.eye(self.blocking.n, k=-N_INPUTS))[DELTA::N_INPUTS]
+        steps = self.blocking.embedding()[DELTA::N_INPUTS]
+        matrix = np.diff(steps, axis=0, prepend=0)
         limit = self.largest_change / INPUT_SCALE[DELTA]
         return Rows(matrix, -limit - change, limit - change)

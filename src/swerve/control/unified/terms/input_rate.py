@@ -35,9 +35,11 @@ class InputRate:
     @classmethod
     def of(cls, weights: Array, blocking: Blocking) -> "InputRate":
         """The term before the first step, when nothing acts."""
-        step = np.eye(blocking.n) - np.eye(blocking.n, k=-N_INPUTS)  # D of dU = D U - (u(k-1), 0, ...)
+        n = N_INPUTS * blocking.n_blocks
+        step = np.eye(n) - np.eye(n, k=-N_INPUTS)  # D of dU = D U - (u(k-1), 0, ...)
         R = np.tile(weights * INPUT_SCALE**2, blocking.n_blocks)
-        return cls(weights, blocking, 2 * step.T @ (R[:, np.newaxis] * step), np.zeros(N_INPUTS))
+        of_all, E = 2 * step.T @ (R[:, np.newaxis] * step), blocking.embedding()
+        return cls(weights, blocking, E.T @ of_all @ E, np.zeros(N_INPUTS))
 
     def after(self, previous: Array) -> "InputRate":
         """The same term for another input (5,) before the plan."""
@@ -51,7 +53,7 @@ class InputRate:
         """Its exact model: it is quadratic."""
         pulled = 2 * self.weights * INPUT_SCALE * self._changes(trajectory)
         pulled[:-1] -= pulled[1:]  # D' dU
-        return Quadratic(self.hessian, pulled.ravel())
+        return Quadratic(self.hessian, (pulled @ self.blocking.actuation.basis).ravel())
 
     def _changes(self, trajectory: Trajectory) -> Array:
         inputs = self.blocking.free(trajectory.inputs)

@@ -21,7 +21,8 @@ class WheelForce:
         self._blocking = blocking
         self._weights = np.full(INPUT_SCALE.size, weight)
         self._weights[DELTA] = 0.0
-        self._hessian = np.diag(np.tile(2 * self._weights * INPUT_SCALE**2, blocking.n_blocks))
+        E = blocking.embedding()
+        self._hessian = E.T @ np.diag(np.tile(2 * self._weights * INPUT_SCALE**2, blocking.n_blocks)) @ E
 
     def value(self, trajectory: Trajectory) -> float:
         """The sum above [1]."""
@@ -30,4 +31,4 @@ class WheelForce:
     def quadratic(self, trajectory: Trajectory, sensitivities: Sensitivities) -> Quadratic:
         """Its exact model."""
         gradient: NDArray[np.float64] = 2 * self._weights * INPUT_SCALE * self._blocking.free(trajectory.inputs)
-        return Quadratic(self._hessian, gradient.ravel())
+        return Quadratic(self._hessian, (gradient @ self._blocking.actuation.basis).ravel())

@@ -10,17 +10,28 @@ with the understeer gradient K of the car that the driver knows. A real driver a
 """
 
 from math import cos, sin
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from swerve.conventions import PSI, VX, VY, X, Y
-from swerve.study.manoeuvres.manoeuvre import Array
-from swerve.study.manoeuvres.path import LanePath
-from swerve.study.manoeuvres.steady_state import steering_per_acceleration
 from swerve.vehicle import Vehicle
+from swerve.vehicle.steady_state import steering_per_acceleration
+
+Array = NDArray[np.float64]
 
 SLOWEST = 1.0  # [m/s] below, the steering is as at this speed
 
 
-def preview_steering(vehicle: Vehicle, friction: float, path: LanePath, preview: float, state: Array) -> float:
+class Path(Protocol):
+    """Where the car is to go."""
+
+    def at(self, x: float) -> float:
+        """Y at `x` [m]."""
+
+
+def preview_steering(vehicle: Vehicle, friction: float, path: Path, preview: float, state: Array) -> float:
     """Road-wheel angle [rad], within the lock.
 
     Args:

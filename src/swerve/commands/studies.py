@@ -1,0 +1,86 @@
+"""`swerve study`: one of the studies of how far the controller reaches, run to its end and written to files."""
+
+import argparse
+import sys
+from collections.abc import Callable
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import nullcontext
+from pathlib import Path
+from typing import Any, Final
+
+from swerve.errors import InputError, unknown
+
+MOST_WORKERS: Final = 64
+N_MULTIBODY: Final = 100  # scenes on the multibody plant, which takes longer to run
+
+Progress = Callable[[float], None]  # takes the share that is done, from 0 to 1
+Study = Callable[[Path, int, Executor | None, Callable[[float, float], Progress]], list[Path]]
+
+
+def add_commands(commands: Any) -> None:
+    """Add it to a parser's `commands`."""
+    study = commands.add_parser("study", help="run many scenes, and write a table", allow_abbrev=False)
+    study.set_defaults(call=_study)
+    study.add_argument("name", metavar="NAME", help=f"one of {', '.join(STUDIES)}")
+    study.add_argument("--seed", type=int, default=0, help="of all that is random [0]")
+    study.add_argument("--workers", type=int, default=1, metavar="N", help="scenes run beside one another [1]")
+    study.add_argument("--out", type=Path, default=Path("swerve-study"), metavar="DIR", help="where to [swerve-study]")
+
+
+def _study(options: argparse.Namespace) -> int:
+    from swerve.report import Progress, prepare_output
+
+    if options.name not in STUDIES:
+        raise InputError(unknown("study", options.name, STUDIES))
+    if options.seed < 0:
+        raise InputError(f"--seed: {options.seed} is no seed; write a whole number from 0")
+    if not 1 <= options.workers <= MOST_WORKERS:
+        raise InputError(f"--workers: {options.workers} is out of range; write a whole number from 1 to {MOST_WORKERS}")
+    prepare_output(options.out)
+    pool = nullcontext() if options.workers == 1 else ProcessPoolExecutor(options.workers)
+    with Progress(sys.stderr) as progress, pool as executor:
+        paths = STUDIES[options.name](options.out, options.seed, executor, progress.part)
+    for path in paths:
+        print(f"wrote {path}")
+    return 0
+
+
+def _random_scenes(
+    out: Path, seed: int, executor: Executor | None, part: Callable[[float, float], Progress]
+) -> list[Path]:
+    from swerve.report.random_scenes import write_survey
+    from swerve.study.random_scenes import survey
+
+    surveys = [
+        survey("planar", seed, part(0.0, 0.8), executor),
+        survey("multibody", seed, part(0.8, 1.0), executor, n_scenes=N_MULTIBODY, n_quiet=N_MULTIBODY),
+    ]
+    return write_survey(surveys, out)
+
+
+def _envelope(out: Path, seed: int, executor: Executor | None, part: Callable[[float, float], Progress]) -> list[Path]:
+    """Nothing in it is random."""
+    from swerve.report.envelope import as_markdown
+    from swerve.study.envelope import envelope
+
+    envelopes = [envelope("planar", part(0.0, 0.5), executor), envelope("multibody", part(0.5, 1.0), executor)]
+    return _written(out, "envelope.md", as_markdown(envelopes))
+
+
+def _fuzz(out: Path, seed: int, executor: Executor | None, part: Callable[[float, float], Progress]) -> list[Path]:
+    """One step follows the other, in this process."""
+    from swerve.report.fuzz import as_markdown
+    from swerve.study.fuzz import fuzz
+
+    return _written(out, "fuzz.md", as_markdown(fuzz(seed, part(0.0, 1.0))))
+
+
+def _written(directory: Path, name: str, text: str) -> list[Path]:
+    from swerve.report.output import filled
+
+    with filled(directory) as place:
+        (place / name).write_text(text, encoding="utf-8", newline="\n")
+    return [directory / name]
+
+
+STUDIES: Final[dict[str, Study]] = {"random-scenes": _random_scenes, "envelope": _envelope, "fuzz": _fuzz}

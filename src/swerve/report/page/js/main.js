@@ -1,0 +1,34 @@
+"use strict";
+/* Reads the document, puts the parts together, and shows the instant after "#t=" in the address, or the start. */
+const Report = (() => {
+  const report = JSON.parse(document.getElementById("document").textContent);
+  const player = new Player(report.scene.end, report.scene.sample_time);
+  Colours.read();
+  const view = new TopView(document.getElementById("view"), report);
+  const wheels = document.getElementById("wheels");
+  const decision = new Decision(document.getElementById("decision"), report.cars);
+  const charts = new Charts(document.getElementById("charts"), document.getElementById("band"), report, player);
+  const controls = new Controls(report, player, view);
+  const paper = new Paper(view, charts, player);
+  for (const part of [view, decision, charts, controls]) player.listen(time => part.draw(time));
+  player.listen(time => Wheels.draw(wheels, report.cars, time));
+
+  function recolour() {
+    label();
+    Colours.read();
+    charts.renew();
+    player.changed();
+  }
+
+  const dark = matchMedia("(prefers-color-scheme: dark)"), toggle = document.getElementById("theme");
+  const isDark = () => (document.documentElement.dataset.theme ?? (dark.matches ? "dark" : "light")) === "dark";
+  const label = () => { toggle.textContent = isDark() ? "Light" : "Dark"; };
+  toggle.addEventListener("click", () => { document.documentElement.dataset.theme = isDark() ? "light" : "dark"; recolour(); });
+  dark.addEventListener("change", recolour);
+  document.querySelector(".ramp i").style.background = Colours.ramp();
+  for (const key of document.querySelectorAll(".key[data-car]")) key.style.borderTopColor = `var(--line-${key.dataset.car % 4 + 1})`;
+  new ResizeObserver(() => player.changed()).observe(view.canvas);
+  label();
+  player.seek(Number(new URLSearchParams(location.hash.slice(1)).get("t")) || 0);
+  return { report, player, view, charts, controls, paper };
+})();
