@@ -18,7 +18,7 @@ Outputs = pytest.CaptureFixture[str]
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The files of a short run that ends in a collision."""
     out = tmp_path_factory.mktemp("run")
-    options = ["--set", "obstacles.0.position=[15, 0]", "--set", "duration=1.5 s", "--plant", "planar"]
+    options = ["--set", "obstacles.0.position=[15, 0]", "--set", "duration=1.5 s", "--plant", "planar", "--quiet"]
     assert main(["run", "paper", "--controller", "as-printed", *options, "--out", str(out)]) == 0
     return out
 
@@ -63,14 +63,16 @@ def test_a_run_is_measured_at_every_sample(folder: Path, capsys: Outputs) -> Non
 def test_a_folder_without_a_run_is_refused(folder: Path, tmp_path: Path, capsys: Outputs) -> None:
     """So is one whose motion is something else; in one line that says what would be right."""
     assert main(["criticality", str(tmp_path)]) == 2
-    assert "has no motion.parquet; write a folder that `swerve run --out` filled" in capsys.readouterr().err
+    assert "has no result.json; write a folder that `swerve run --out` filled" in capsys.readouterr().err
+    for name in ("result.json", "scenario.toml", "steps.parquet"):
+        copy(folder / name, tmp_path)
     copy(folder / "steps.parquet", tmp_path / "motion.parquet")
     assert main(["criticality", str(tmp_path)]) == 2
-    assert "is no motion of a run" in capsys.readouterr().err
+    assert "column vx [m/s] is missing" in capsys.readouterr().err
     (tmp_path / "motion.parquet").write_bytes(b"no parquet")
     assert main(["criticality", str(tmp_path)]) == 2
     captured = capsys.readouterr()
-    assert "is no motion of a run" in captured.err
+    assert "is no Parquet file that can be read" in captured.err
     assert len(captured.err.splitlines()) == 1
     assert captured.out == ""
 

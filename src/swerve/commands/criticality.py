@@ -16,14 +16,16 @@ def add_command(commands: Any) -> None:
 
 
 def _measure(options: argparse.Namespace) -> int:
-    from swerve.report.criticality import criticality_json, criticality_table, read_run
+    from swerve.report.criticality import criticality_json, criticality_table
+    from swerve.report.exports.folder import read_run_folder
     from swerve.scenario import library_names, load
     from swerve.simulate import DEFAULT_PLANT
     from swerve.study.criticality import of_motion, of_scenario
 
     folder = Path(options.what)
     if options.what not in library_names() and folder.is_dir():
-        found = of_motion(*read_run(folder))
+        run = read_run_folder(folder)
+        found = of_motion(run.scenario, run.result.plant, run.log.motion)
     else:
         found = of_scenario(load(options.what), DEFAULT_PLANT)
     print(criticality_json(found) if options.json else criticality_table(found))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from swerve.control.forecast import Forecast
 from swerve.control.path import Path, travelled
-from swerve.world import Footprint, Obstacle, Shape, clearance
+from swerve.world import Footprint, Obstacle, Shape, Steady, clearance
 
 Array = NDArray[np.float64]
 
@@ -61,7 +61,7 @@ def gaps(footprint: Footprint, poses: Array, forecast: Forecast, times: Array, r
     near = np.hypot(seen[:, 0], seen[:, 1]) <= _radius(footprint) + _radius(forecast.shape) + reach
     found = np.full(len(poses), np.inf)
     if near.any():
-        still = Obstacle(forecast.shape, (0.0, 0.0), heading=forecast.heading)
+        still = Obstacle(forecast.shape, Steady((0.0, 0.0), heading=forecast.heading))
         found[near] = clearance(footprint, seen[near], still, np.zeros(np.count_nonzero(near)))
     return found
 

@@ -1,16 +1,15 @@
 """What is commanded when a step has no plan of its own.
 
 First the last plan, as many samples further on as have passed; when there is none, or it has been used up, full braking
-within the friction limit with the wheels straight.
+within the friction limit, of the wheels that can, with the wheels straight.
 """
-
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.actuation import Actuation
 from swerve.control.plan import Fallback, Plan
-from swerve.conventions import FORCES, N_INPUTS, N_STATES
+from swerve.conventions import DELTA, FORCES, N_INPUTS, N_STATES
 from swerve.vehicle import Vehicle
 from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters
@@ -35,12 +34,17 @@ def fallback_plan(time: float, reason: Fallback, last: Plan | None, age: int, br
     """
     if last is not None and age < len(braking):
         inputs, states = shifted(last.inputs, age), last.states[age:]
-        return replace(last, time=time, inputs=inputs, states=states, branches=(), fallback=reason, solver_failures=0)
-    return Plan(time, braking, np.empty((0, N_STATES)), None, fallback=reason)
+        return Plan(time, inputs, states, last.side, last.name, last.is_shaped, fallback=reason)
+    return Plan(time, braking, np.empty((0, N_STATES)), name="full braking", fallback=reason)
 
 
-def full_braking(vehicle: Vehicle, friction: float, n_samples: int) -> Array:
-    """Inputs (Np, 5): each wheel's force limit on a road of `friction` [1] at static loads, wheels straight."""
-    braking = np.zeros((n_samples, N_INPUTS))
-    braking[:, FORCES] = -vehicle.force_limit * friction * np.array(wheel_loads(Parameters.of(vehicle, friction)))
-    return braking
+def full_braking(vehicle: Vehicle, friction: float, n_samples: int, actuation: Actuation) -> Array:
+    """Inputs (Np, 5): each wheel's force limit on a road of `friction` [1] at static loads, wheels straight.
+
+    Of that, what there is: without brakes nothing, and stuck steering as it is stuck.
+    """
+    largest = np.empty(N_INPUTS)
+    largest[DELTA] = vehicle.steering_limit
+    largest[FORCES] = vehicle.force_limit * friction * np.array(wheel_loads(Parameters.of(vehicle, friction)))
+    braking = actuation.within(np.where(np.arange(N_INPUTS) == DELTA, 0.0, -largest), largest)
+    return np.tile(braking, (n_samples, 1))

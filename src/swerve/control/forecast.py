@@ -45,20 +45,22 @@ class Forecast:
         """Positions (n, 2) [m] at times (n,) on the controller's clock [s]."""
         elapsed = (times - self.stamp)[:, np.newaxis]
         changing = self._changing(elapsed)
-        gained = self.velocity * elapsed + self.acceleration * changing * (elapsed - changing / 2)
-        return np.asarray(self.position + gained)
+        gained: Array = self.position + self.velocity * elapsed
+        return gained + self.acceleration * changing * (elapsed - changing / 2)
 
     def velocity_at(self, times: Array) -> Array:
         """Velocities (n, 2) [m/s] at times (n,) on the controller's clock [s]."""
         elapsed = (times - self.stamp)[:, np.newaxis]
-        return np.asarray(self.velocity + self.acceleration * self._changing(elapsed))
+        velocity: Array = self.velocity + self.acceleration * self._changing(elapsed)
+        return velocity
 
     def _changing(self, elapsed: Array) -> Array:
         """For how much of the elapsed time (n, 1) each component of the velocity changes, (n, 2) [s]."""
         slows = self.velocity * self.acceleration < 0
         lasting = np.full(2, LASTING)
         lasting[slows] = -self.velocity[slows] / self.acceleration[slows]
-        return np.asarray(np.minimum(elapsed, lasting))
+        changing: Array = np.minimum(elapsed, lasting)
+        return changing
 
 
 def forecasts(stamp: float, seen: Sequence[Observation], before: Sequence[Forecast]) -> tuple[Forecast, ...]:

@@ -1,25 +1,13 @@
-"""What is shown of criticality: a table and JSON; and the folder of a run, read back for it."""
+"""What is shown of criticality: a table and JSON."""
 
 import json
 from collections.abc import Mapping
 from math import isfinite
-from pathlib import Path
 from typing import Any, Final
 
-import pyarrow
-import pyarrow.parquet
-
 from swerve import __version__
-from swerve.conventions import STATES
-from swerve.errors import InputError, shown_path
-from swerve.report.tables import PLANT, SCENARIO, UNIT
-from swerve.scenario import Scenario
-from swerve.scenario.loader import parse
-from swerve.simulate import Table
 from swerve.study.criticality import UNITS, Criticality
 
-MOTION: Final = "motion.parquet"
-NEEDED: Final = ("time", *STATES, "delta")  # columns of a motion
 MEANINGS: Final[Mapping[str, str]] = {
     "clearance": "distance to the nearest obstacle",
     "ttc": "time to collision, velocity and heading kept",
@@ -38,27 +26,6 @@ MEANINGS: Final[Mapping[str, str]] = {
     "stn": "steer threat number: required over available, the easier side",
     "impact_speed": "of full braking from here on, relative to what is met",
 }
-
-
-def read_run(folder: Path) -> tuple[Scenario, str, Table]:
-    """Scenario, name of the plant and motion of a run that `swerve run --out` wrote.
-
-    Raises:
-        InputError: there is no such run in the folder.
-    """
-    path = folder / MOTION
-    cure = "write a folder that `swerve run --out` filled"
-    try:
-        table = pyarrow.parquet.read_table(path)
-        metadata = table.schema.metadata or {}
-        document, plant = metadata[SCENARIO], metadata[PLANT].decode()
-        columns = {name: table[name].to_numpy() for name in NEEDED}
-        units = {name: table.schema.field(name).metadata[UNIT].decode() for name in NEEDED}
-    except FileNotFoundError as error:
-        raise InputError(f"{shown_path(folder)}: has no {MOTION}; {cure}") from error
-    except (OSError, pyarrow.ArrowException, KeyError, TypeError, ValueError) as error:
-        raise InputError(f"{shown_path(path)}: is no motion of a run; {cure}") from error
-    return parse(document, shown_path(path), folder=folder), plant, Table(columns, units)
 
 
 def criticality_json(found: Criticality) -> str:

@@ -15,7 +15,7 @@ from swerve.scenario import load
 from swerve.scenario.loader import parse
 from swerve.simulate import Outcome, Run, run
 from swerve.simulate.assemble import controller_named
-from swerve.world import Ellipse, Obstacle
+from swerve.world import Ellipse, Obstacle, Steady
 from tests.control.unified.situations import RUNNING, broken_measurements, seen
 
 AT = 'obstacles.0.position=["{} m", "0 m"]'
@@ -51,6 +51,7 @@ def test_it_stops_within_the_closed_form() -> None:
     enough = run(load("paper", [AT.format(1.01 * STOP + 2)]), "brake", "planar").result
     assert enough.outcome is Outcome.AVOIDED
     assert enough.speed.final < 0.1
+    assert enough.decision == "brake"
     too_near = run(load("paper", [AT.format(0.99 * STOP + 2)]), "brake", "planar").result
     assert too_near.outcome is Outcome.COLLIDED
 
@@ -74,6 +75,8 @@ def test_no_false_alarm(x: float, y: float, vx: float) -> None:
     done = beside_a_car(x, y, vx)
     assert not braked(done)
     assert np.abs(done.log.steps["delta"]).max() < 1e-6
+    assert done.result.decision == "none"
+    assert {plan.name for plan in done.plans} == {"keep"}
 
 
 def test_a_crossing_car_that_is_gone_in_time_is_no_alarm_and_one_that_is_not_is() -> None:
@@ -85,11 +88,15 @@ def test_a_crossing_car_that_is_gone_in_time_is_no_alarm_and_one_that_is_not_is(
 
 
 def test_it_lets_go_behind_a_slower_one() -> None:
-    """Behind a car of 10 m/s it brakes down to that and then stays behind."""
+    """Behind a car of 10 m/s it brakes down to that and then stays behind; all the time that shapes its plans."""
     done = beside_a_car(25.0, 0.0, 10.0)
     assert braked(done)
     assert done.result.outcome is Outcome.AVOIDED
     assert done.result.speed.final == pytest.approx(10.0, abs=1.0)
+    assert done.result.decision == "brake"
+    reasons = list(dict.fromkeys(plan.reason for plan in done.plans))
+    assert reasons[:2] == ["no contact is near", "a contact is so near that braking can't wait"]
+    assert reasons[-1] == "behind what is in front"
 
 
 def test_it_sees_a_deceleration() -> None:
@@ -98,7 +105,7 @@ def test_it_sees_a_deceleration() -> None:
     memory = subject.start()
     for k in range(8):
         slower = max(0, k - 1) * 0.4  # 8 m/s^2 from 0.05 s on
-        lead = Obstacle(Ellipse((2.0, 1.0)), (4.0 + 20 * 0.05 * k, 0.0), (20.0 - slower, 0.0))
+        lead = Obstacle(Ellipse((2.0, 1.0)), Steady((4.0 + 20 * 0.05 * k, 0.0), (20.0 - slower, 0.0)))
         command, _, memory = subject.step(seen(0.05 * k, RUNNING + np.array([0, 0, 0, 0, k, 0]), lead), memory)
         forces.append(command.wheel_forces.sum())
     assert forces[0] == forces[1] == 0
@@ -124,7 +131,7 @@ def test_junk_never_raises(seed: int) -> None:
     subject, memory = controller(), controller().start()
     for k in range(3):
         rows = random.normal(0, 30, (random.integers(1, 4), 4))
-        obstacles = [Obstacle(Ellipse((2.0, 1.0)), (x, y), (vx, vy)) for x, y, vx, vy in rows.tolist()]
+        obstacles = [Obstacle(Ellipse((2.0, 1.0)), Steady((x, y), (vx, vy))) for x, y, vx, vy in rows.tolist()]
         state = random.normal(0, 1, 6) * 10.0 ** random.uniform(-2, 4, 6)
         measured = replace(seen(0.05 * k, state, *obstacles), wheel_loads=random.normal(3000, 4000, 4))
         command, _, memory = subject.step(measured, memory)

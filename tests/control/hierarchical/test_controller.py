@@ -13,7 +13,7 @@ from swerve.control.hierarchical.memory import Memory
 from swerve.scenario import load
 from swerve.simulate import Outcome, run
 from swerve.simulate.assemble import controller_named
-from swerve.world import Ellipse, Obstacle
+from swerve.world import Ellipse, Obstacle, Steady
 from tests.control.unified.situations import RUNNING, broken_measurements, seen
 
 AT = 'obstacles.0.position=["{} m", "0 m"]'
@@ -28,7 +28,7 @@ def controller(*overrides: str) -> Controller[Memory]:
 def decided(x: float, y: float = 0.0, *overrides: str) -> str:
     """The manoeuvre of the first step, with a disc of 2 m at a place."""
     subject = controller(*overrides)
-    _, _, memory = subject.step(seen(0.0, RUNNING, Obstacle(Ellipse((2.0, 2.0)), (x, y))), subject.start())
+    _, _, memory = subject.step(seen(0.0, RUNNING, Obstacle(Ellipse((2.0, 2.0)), Steady((x, y)))), subject.start())
     assert memory.manoeuvre is not None
     return memory.manoeuvre.name
 
@@ -54,6 +54,7 @@ def test_it_swerves_and_returns() -> None:
     result = run(load("paper", [AT.format(18), "duration=6 s"]), "hierarchical", "planar").result
     assert result.outcome is Outcome.AVOIDED
     assert abs(result.lateral_offset.final) < 0.3
+    assert result.decision in ("steer-left", "steer-right")
     assert result.fallback_steps == 0
 
 
@@ -63,15 +64,20 @@ def test_it_stops_before_a_wall_of_a_kind() -> None:
     assert result.outcome is Outcome.AVOIDED
     assert result.speed.final < 0.5
     assert result.max_steer < 1e-3
+    assert result.decision == "brake"
 
 
 def test_a_mirrored_scene_is_driven_mirrored() -> None:
     """The plan past the mirror image is the mirrored plan."""
     plans = [
-        controller().step(seen(0.0, RUNNING, Obstacle(Ellipse((2.0, 2.0)), (20.0, y))), controller().start())[1]
+        controller().step(seen(0.0, RUNNING, Obstacle(Ellipse((2.0, 2.0)), Steady((20.0, y)))), controller().start())[1]
         for y in (0.5, -0.5)
     ]
     assert (plans[0].side, plans[1].side) == (Side.RIGHT, Side.LEFT)
+    assert [(plan.name, plan.branches[0].passing[0].side) for plan in plans] == [
+        ("right", Side.RIGHT),
+        ("left", Side.LEFT),
+    ]
     mirrored = plans[1].inputs[:, [0, 2, 1, 4, 3]] * [-1, 1, 1, 1, 1]
     np.testing.assert_allclose(plans[0].inputs, mirrored, rtol=1e-6, atol=1e-3)
 
@@ -95,7 +101,7 @@ def test_junk_never_raises(seed: int) -> None:
     subject, memory = controller(), controller().start()
     for k in range(3):
         rows = random.normal(0, 30, (random.integers(1, 4), 4))
-        obstacles = [Obstacle(Ellipse((2.0, 1.0)), (x, y), (vx, vy)) for x, y, vx, vy in rows.tolist()]
+        obstacles = [Obstacle(Ellipse((2.0, 1.0)), Steady((x, y), (vx, vy))) for x, y, vx, vy in rows.tolist()]
         state = random.normal(0, 1, 6) * 10.0 ** random.uniform(-2, 4, 6)
         measured = replace(seen(0.05 * k, state, *obstacles), wheel_loads=random.normal(3000, 4000, 4))
         command, _, memory = subject.step(measured, memory)

@@ -13,7 +13,7 @@ from swerve.control.nonlinear.memory import Memory
 from swerve.scenario import load, parse
 from swerve.simulate import Outcome, run
 from swerve.simulate.assemble import controller_named
-from swerve.world import Ellipse, Obstacle
+from swerve.world import Ellipse, Obstacle, Steady
 from tests.control.unified.situations import RUNNING, broken_measurements, seen
 
 AT = 'obstacles.0.position=["{} m", "0 m"]'
@@ -45,6 +45,7 @@ def test_it_avoids_what_can_be_avoided(distance: float) -> None:
     assert result.min_distance_ratio is not None
     assert 1 <= result.min_distance_ratio <= 1.1
     assert (result.solver_failures, result.fallback_steps) == (0, 0)
+    assert result.decision in ("steer-left", "brake+steer-left")  # of two sides that are alike the left one
 
 
 @pytest.mark.slow
@@ -71,11 +72,18 @@ def test_rectangles_are_kept_apart() -> None:
 def test_a_mirrored_scene_is_driven_mirrored(offset: float) -> None:
     """An obstacle on the right is passed on the left, and the mirror image on the right by the mirrored inputs."""
     plans = [
-        controller().step(seen(0.0, RUNNING, Obstacle(Ellipse((2.0, 2.0)), (18.0, y))), controller().start())[1]
+        controller().step(seen(0.0, RUNNING, Obstacle(Ellipse((2.0, 2.0)), Steady((18.0, y)))), controller().start())[1]
         for y in (offset, -offset)
     ]
     assert plans[0].side is Side(int(-np.sign(offset)))
     assert plans[1].side is Side(int(np.sign(offset)))
+    for plan in plans:
+        assert [(each.name, each.passing[0].side) for each in plan.branches] == [
+            ("left", Side.LEFT),
+            ("right", Side.RIGHT),
+        ]
+        assert plan.name == min(plan.branches, key=lambda each: each.cost).name
+        assert max(each.violation for each in plan.branches) < 0.025  # of a chord of half a sample, 0.5 m
     mirrored = plans[1].inputs[:, [0, 2, 1, 4, 3]] * [-1, 1, 1, 1, 1]
     np.testing.assert_allclose(plans[0].inputs, mirrored, atol=2.0, rtol=1e-3)
 
@@ -83,7 +91,7 @@ def test_a_mirrored_scene_is_driven_mirrored(offset: float) -> None:
 def test_the_steering_rate_is_kept() -> None:
     """With a slow actuator no two planned steering angles, nor the first and the last command, are further apart."""
     slow = controller("ego.parameters.steering_rate_limit=0.4 rad/s")
-    _, plan, _ = slow.step(seen(0.0, RUNNING, Obstacle(Ellipse((2.0, 2.0)), (17.0, 0.0))), slow.start())
+    _, plan, _ = slow.step(seen(0.0, RUNNING, Obstacle(Ellipse((2.0, 2.0)), Steady((17.0, 0.0)))), slow.start())
     steering = np.append(0.0, plan.inputs[:, 0])
     assert np.abs(np.diff(steering)).max() <= 0.4 * 0.05 + 1e-6
     assert np.abs(steering).max() > 0.03
@@ -107,7 +115,7 @@ def test_junk_never_raises(seed: int) -> None:
     random = np.random.default_rng(seed)
     subject = controller()
     obstacles = [
-        Obstacle(Ellipse((float(random.uniform(0.1, 5)), 1.0)), (float(x), float(y)), (float(vx), float(vy)))
+        Obstacle(Ellipse((float(random.uniform(0.1, 5)), 1.0)), Steady((float(x), float(y)), (float(vx), float(vy))))
         for x, y, vx, vy in random.normal(0, 30, (random.integers(0, 4), 4))
     ]
     state = random.normal(0, 1, 6) * 10.0 ** random.uniform(-2, 4, 6)

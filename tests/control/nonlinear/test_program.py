@@ -9,12 +9,15 @@ import pytest
 from numpy.typing import NDArray
 
 from swerve.control import Goal, Horizon, Side, Weights
+from swerve.control.actuation import EVERYTHING
 from swerve.control.nonlinear import SOLVERS, Answer, Guess, NonlinearProgram, NonlinearSettings, Question
 from swerve.control.nonlinear.formulation import formulate
 from swerve.control.nonlinear.functions import functions
 from swerve.control.nonlinear.layout import Layout
 from swerve.control.nonlinear.stage import stage
+from swerve.control.plan import Passing
 from swerve.control.unified.seeds import seeds
+from swerve.control.unified.way import Way
 from swerve.plant import PlanarPlant
 from swerve.scenario import load
 from swerve.signals import Command
@@ -42,12 +45,14 @@ def program(solver: str) -> NonlinearProgram:
     shared = {each.name: UNIFIED[each.name] for each in fields(NonlinearSettings) if each.name in UNIFIED}
     settings = NonlinearSettings(**shared, solver=solver)
     weights = Weights(speed=1.0, lateral_speed=1.0, lateral_offset=10.0, steering_rate=1e2, force_rate=1e-6)
-    return NonlinearProgram(SEDAN, Point(), FRICTION, Goal(20.0, 0.0), HORIZON, weights, settings, [OBSTACLE.shape])
+    goal, inputs = Goal(20.0, 0.0), EVERYTHING
+    return NonlinearProgram(SEDAN, Point(), FRICTION, goal, HORIZON, weights, settings, [OBSTACLE.shape], inputs)
 
 
 def pulse(asked: NonlinearProgram, side: Side) -> Guess:
     """The cheapest first guess that turns to a side."""
-    pulses = seeds(SEDAN, FRICTION, UNIFIED["slip_limit"], 20.0, side, HORIZON.prediction)
+    way, limit = Way((Passing(side.value),), (0,)), UNIFIED["slip_limit"]
+    pulses = seeds(SEDAN, FRICTION, limit, 20.0, way, asked.largest(QUESTION), HORIZON.prediction)
     return min((asked.guess(QUESTION, inputs) for inputs in pulses), key=lambda guess: guess.cost)
 
 

@@ -25,8 +25,7 @@ def box(x: float, y: float = 0.0, vx: float = 0.0, vy: float = 0.0, **more: Any)
 def scenario(*obstacles: dict[str, Any], speed: float = 20.0, friction: float = 0.85, **more: Any) -> Scenario:
     """The paper's scenario with other obstacles; `more` are of the ego vehicle, or the lane width."""
     tables = load("paper").model_dump(exclude_none=True)
-    del tables["road"]["lanes_left"], tables["road"]["lanes_right"]
-    tables["road"] |= {"friction": friction}
+    tables["road"] = {"friction": friction}
     if "lane_width" in more:
         tables["road"] |= {"lane_width": more.pop("lane_width"), "lanes_left": 1, "lanes_right": 1}
     tables["ego"] |= {"speed": speed, "footprint": "rectangle", **more}

@@ -4,10 +4,9 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from swerve.scenario.surroundings import ObstacleSettings
 from swerve.simulate.outcome import touches
 from swerve.study.criticality.span import contact_span
-from swerve.world import Ellipse, Footprint, Point, Rectangle
+from swerve.world import Ellipse, Footprint, Obstacle, Point, Rectangle, Steady
 
 lengths = st.floats(0.3, 5.0)
 shapes = st.builds(lambda a, b: Ellipse((a, b)), lengths, lengths) | st.builds(Rectangle, lengths, lengths)
@@ -25,9 +24,7 @@ def test_inside_it_they_touch_and_outside_they_do_not(
     first, last = contact_span(footprint, shape, np.array([x, y]), np.array(turn), along)
     places = np.linspace(-20, 20, 401)
     poses = np.column_stack((x + places * along[0], y + places * along[1], np.full(len(places), turn)))
-    size = {"semi_axes": shape.semi_axes} if isinstance(shape, Ellipse) else {"size": (shape.length, shape.width)}
-    obstacle = ObstacleSettings(position=(0.0, 0.0), **size).to_world()
-    touching = touches(obstacle, footprint, poses, np.zeros(len(places)))
+    touching = touches(Obstacle(shape, Steady((0.0, 0.0))), footprint, poses, np.zeros(len(places)))
     clear = np.minimum(np.abs(places - first), np.abs(places - last)) > NEAR
     assert (touching == ((first <= places) & (places <= last)))[clear].all()
 

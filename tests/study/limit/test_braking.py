@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from swerve.conventions import GRAVITY
-from swerve.study.limit.limit import best, least_violation, time_to_collision
+from swerve.study.limit.best import best, least_violation
+from swerve.study.limit.contact import time_to_collision
 from swerve.study.limit.means import Means
-from swerve.study.limit.solve import Sought
+from swerve.study.limit.trajectory import Sought
 from tests.study.limit.scenes import scene
 
 RADIUS = 2.0  # [m]

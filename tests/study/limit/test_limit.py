@@ -4,10 +4,10 @@ import pytest
 
 from swerve.scenario import load
 from swerve.study.limit import Means, limit_of
-from swerve.study.limit.limit import best, least_violation
+from swerve.study.limit.best import best, least_violation
 from swerve.study.limit.point_mass import smallest_distance
 from swerve.study.limit.scene import Scene
-from swerve.study.limit.solve import Sought
+from swerve.study.limit.trajectory import Sought
 from tests.study.limit.scenes import scene
 
 PAPER = scene()

@@ -4,12 +4,14 @@ Decision (`threat`) and driving are apart: the brake acts or it does not, and wh
 an ideal slip control (`wheels`) bounds the wheel forces. It lets go when at the present speed no contact is in sight.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.actuation import Actuation
+from swerve.control.appraisal import Appraisal
 from swerve.control.brake.driver import wanted_acceleration, wanted_speed
 from swerve.control.brake.memory import Memory
 from swerve.control.brake.settings import BrakeSettings
@@ -17,10 +19,11 @@ from swerve.control.brake.threat import is_alarming
 from swerve.control.brake.wheels import braking_limits
 from swerve.control.corridor import Corridor
 from swerve.control.fallback import fallback_plan, full_braking
-from swerve.control.forecast import forecasts
+from swerve.control.forecast import Forecast, forecasts
+from swerve.control.friction_use import friction_use
 from swerve.control.lane_keeping import LaneKeeping
 from swerve.control.path import Path
-from swerve.control.plan import Fallback, Plan
+from swerve.control.plan import KEEP, Fallback, Plan
 from swerve.control.protocol import Controller
 from swerve.control.settings import Goal, Horizon, Latency
 from swerve.control.unified.compensation import is_late, n_commands, state_at_effect
@@ -30,13 +33,14 @@ from swerve.conventions import DELTA, FORCES, GRAVITY, N_INPUTS, N_STATES, VX
 from swerve.signals import ABSURD, Command, Measurement
 from swerve.vehicle import Vehicle
 from swerve.vehicle.two_track import Parameters
-from swerve.world import Footprint
+from swerve.world import Footprint, Road
 
 Array = NDArray[np.float64]
 
 RELEASE_TIME = 3.0  # [s] without a contact at the present speed, after which the brake lets go
 STANDSTILL = 0.2  # [m/s] below, a vehicle that is to stand is held
 HOLD = 0.3  # [1] share of the largest braking force that holds it
+NOTHING_WEIGHED = 0.0  # [1] cost of a plan that is the optimum of nothing
 
 
 class BrakeController(Controller[Memory]):
@@ -46,25 +50,31 @@ class BrakeController(Controller[Memory]):
         self,
         vehicle: Vehicle,
         footprint: Footprint,
+        road: Road,
         friction: float,
         goal: Goal,
         horizon: Horizon,
         latency: Latency,
         settings: BrakeSettings,
+        actuation: Actuation,
     ) -> None:
-        """Build the kernels; a first time compiles them."""
-        self._vehicle, self._footprint, self._goal = vehicle, footprint, goal
+        """Build the kernels; a first time compiles them.
+
+        Of the road's edges its plans tell, but it does not watch them. Of the inputs some brake is needed.
+        """
+        self._vehicle, self._footprint, self._friction, self._goal = vehicle, footprint, friction, goal
+        self._actuation, self._appraisal = actuation, Appraisal(footprint, road, settings.margin, horizon)
         self._horizon, self._latency, self._settings = horizon, latency, settings
         self._model = PredictionModel(vehicle, friction, horizon)
         self._lane = LaneKeeping.of(self._model, vehicle, friction, goal.lateral_offset)
         self._parameters = Parameters.of(vehicle, friction, SLIP_SPEED_FLOOR)
-        self._deceleration = vehicle.force_limit * friction * GRAVITY
+        self._deceleration = vehicle.force_limit * friction * GRAVITY * actuation.braking
         self._turn = vehicle.steering_rate_limit * horizon.sample_time
-        self._braking = full_braking(vehicle, friction, horizon.prediction)
+        self._braking = full_braking(vehicle, friction, horizon.prediction, actuation)
 
     def start(self) -> Memory:
-        """Wheels straight, no force, no plan."""
-        commands = (np.zeros(N_INPUTS),) * n_commands(self._latency, self._horizon.sample_time)
+        """No force, no plan; wheels straight, or as they are stuck."""
+        commands = (self._actuation.fixed,) * n_commands(self._latency, self._horizon.sample_time)
         return Memory(commands, (), None, False, False, None, 0)
 
     def step(self, measurement: Measurement, memory: Memory) -> tuple[Command, Plan, Memory]:
@@ -86,7 +96,8 @@ class BrakeController(Controller[Memory]):
         corridor = self._corridor(state, measurement, memory.commands[0], delay)
         # what a brake will have done by then is less sure than what is measured, so letting go waits for that
         faster = replace(corridor, speed=max(corridor.speed, float(measurement.state[VX])))
-        is_braking = any(is_alarming(each, corridor, self._deceleration, self._settings) for each in seen) or (
+        is_alarmed = any(is_alarming(each, corridor, self._deceleration, self._settings) for each in seen)
+        is_braking = is_alarmed or (
             memory.is_braking and any(faster.contact(each, 0.0, RELEASE_TIME) is not None for each in seen)
         )
         has_braked = memory.has_braked or is_braking
@@ -94,14 +105,41 @@ class BrakeController(Controller[Memory]):
 
         def forces(state: Array, u: Array) -> Array:
             limits = braking_limits(self._vehicle, self._parameters, state, u, falling)
-            return self._forces(float(state[VX]), limits, -np.inf if is_braking else wanted)
+            asked = np.append(0.0, self._forces(float(state[VX]), limits, -np.inf if is_braking else wanted))
+            return self._actuation.within(asked, np.append(0.0, limits))[FORCES]
 
         inputs, states = self._roll_out(state, memory.commands[0], loads, forces)
         if not np.isfinite(inputs).all():
             return self._fall_back(measurement.time, Fallback.NOT_FINITE, memory)
-        plan = Plan(measurement.time, inputs, states, None)
+        is_shaped = is_braking or wanted < self._goal.speed
+        why = _why(is_alarmed, is_braking, is_shaped)
+        plan = self._plan(measurement, corridor.start, inputs, states, seen, is_shaped, why)
         following = Memory(memory.after(inputs[0]), seen, loads, is_braking, has_braked, plan, 0)
         return Command.from_input(inputs[0]), plan, following
+
+    def _plan(
+        self,
+        measurement: Measurement,
+        start: float,
+        inputs: Array,
+        states: Array,
+        seen: Sequence[Forecast],
+        is_shaped: bool,
+        reason: str,
+    ) -> Plan:
+        """What is driven from `start` [s] on, as a plan."""
+        name, loads = "brake" if is_shaped else KEEP, measurement.wheel_loads
+        demand = self._model.roll_out(states[0], inputs, loads).lateral_demand[0]
+        return Plan(
+            measurement.time,
+            inputs,
+            states,
+            name=name,
+            is_shaped=is_shaped,
+            branches=(self._appraisal.branch(name, NOTHING_WEIGHED, states, start, seen),),
+            reason=reason,
+            friction_use=friction_use(inputs[0], demand, self._friction * loads),
+        )
 
     def _corridor(self, state: Array, measurement: Measurement, command: Array, delay: float) -> Corridor:
         """The vehicle on the path that its lane keeper takes it along, at the present speed."""
@@ -119,7 +157,7 @@ class BrakeController(Controller[Memory]):
             if not (np.abs(states[-1]) <= ABSURD).all():  # diverged: no number of it is of use
                 return np.full_like(inputs, np.nan), np.array(states)
             reached += min(max(self._lane.angle(states[-1]) - reached, -self._turn), self._turn)
-            u[DELTA] = reached
+            u[DELTA] = reached if self._actuation.steers else self._actuation.fixed[DELTA]
             u[FORCES] = forces(states[-1], u)
             felt = u.copy()
             felt[FORCES] = _until_standstill(
@@ -146,6 +184,15 @@ class BrakeController(Controller[Memory]):
             plan,
             replace(memory, commands=memory.after(plan.inputs[0]), age=age),
         )
+
+
+def _why(is_alarmed: bool, is_braking: bool, is_shaped: bool) -> str:
+    """Why it does what it does."""
+    if is_alarmed:
+        return "a contact is so near that braking can't wait"
+    if is_braking:
+        return "it brakes until no contact is in sight"
+    return "behind what is in front" if is_shaped else "no contact is near"
 
 
 def _until_standstill(forces: Array, most: float) -> Array:

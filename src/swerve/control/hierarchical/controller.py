@@ -9,15 +9,18 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.actuation import Actuation
+from swerve.control.appraisal import Appraisal
 from swerve.control.fallback import fallback_plan, full_braking, shifted
 from swerve.control.forecast import forecasts
+from swerve.control.friction_use import friction_use
 from swerve.control.hierarchical.decision import Decision
 from swerve.control.hierarchical.manoeuvre import Manoeuvre
 from swerve.control.hierarchical.memory import Memory
 from swerve.control.hierarchical.scene import Scene
 from swerve.control.hierarchical.settings import HierarchicalSettings
 from swerve.control.hierarchical.tracker import Tracked, Tracker
-from swerve.control.plan import Fallback, Plan
+from swerve.control.plan import KEEP, Fallback, Plan
 from swerve.control.protocol import Controller
 from swerve.control.settings import Goal, Horizon, Latency, Weights
 from swerve.control.unified.compensation import is_late, n_commands, state_at_effect
@@ -48,14 +51,16 @@ class HierarchicalController(Controller[Memory]):
         weights: Weights,
         latency: Latency,
         settings: HierarchicalSettings,
+        actuation: Actuation,
     ) -> None:
-        """Build the kernels; a first time compiles them."""
+        """Build the kernels; a first time compiles them. Of the inputs there must be steering and brakes."""
         self._footprint, self._friction, self._road = footprint, friction, road
-        self._horizon, self._latency = horizon, latency
+        self._horizon, self._latency, self._actuation = horizon, latency, actuation
+        self._appraisal = Appraisal(footprint, road, settings.margin, horizon)
         self._model = PredictionModel(vehicle, friction, horizon)
         self._decide = Decision(goal, settings)
-        self._track = Tracker(self._model, vehicle, friction, weights, settings)
-        self._braking = full_braking(vehicle, friction, horizon.prediction)
+        self._track = Tracker(self._model, vehicle, friction, weights, settings, actuation)
+        self._braking = full_braking(vehicle, friction, horizon.prediction, actuation)
 
     def start(self) -> Memory:
         """Wheels straight, no force, no plan."""
@@ -78,7 +83,8 @@ class HierarchicalController(Controller[Memory]):
         if not np.isfinite(state).all():
             return self._fall_back(measurement.time, Fallback.NO_SOLUTION, memory)
         seen = forecasts(measurement.stamp, measurement.obstacles, memory.forecasts)
-        scene = Scene(state, measurement.time + delay, self._footprint, self._friction, self._road, seen)
+        place = self._footprint, self._friction, self._actuation.braking, self._road
+        scene = Scene(state, measurement.time + delay, *place, seen)
         manoeuvre = self._decide(scene, memory.manoeuvre)
         guess = np.zeros((self._horizon.prediction, N_INPUTS)) if memory.plan is None else shifted(memory.plan.inputs)
         loads = falling_loads(measurement.wheel_loads, memory.wheel_loads)
@@ -86,21 +92,27 @@ class HierarchicalController(Controller[Memory]):
         memory = replace(memory, forecasts=seen, wheel_loads=measurement.wheel_loads, manoeuvre=manoeuvre)
         if tracked.n_solved == 0:
             return self._fall_back(measurement.time, Fallback.NO_SOLUTION, memory, tracked.n_failed)
-        return self._take(measurement, manoeuvre, tracked, memory)
+        return self._take(measurement, scene, manoeuvre, tracked, memory)
 
     def _take(
-        self, measurement: Measurement, manoeuvre: Manoeuvre, tracked: Tracked, memory: Memory
+        self, measurement: Measurement, scene: Scene, manoeuvre: Manoeuvre, tracked: Tracked, memory: Memory
     ) -> tuple[Command, Plan, Memory]:
         """The tracker's first input as command, or the brakes that hold a vehicle which is to stand."""
-        inputs = tracked.trajectory.inputs
+        trajectory, name = tracked.trajectory, manoeuvre.name
+        inputs, grip = trajectory.inputs, self._friction * measurement.wheel_loads
         if max(float(measurement.state[VX]), manoeuvre.speed) < STANDSTILL:
             inputs = inputs.copy()
             inputs[:, FORCES] = HOLD * self._braking[:, FORCES]
         plan = Plan(
             measurement.time,
             inputs,
-            tracked.trajectory.states,
+            trajectory.states,
             manoeuvre.side,
+            name,
+            is_shaped=name != KEEP,
+            branches=(self._appraisal.branch(name, tracked.cost, trajectory.states, scene.time, scene.forecasts),),
+            reason=manoeuvre.reason,
+            friction_use=friction_use(inputs[0], trajectory.lateral_demand[0], grip),
             solver_failures=tracked.n_failed,
         )
         command = inputs[0]

@@ -26,15 +26,20 @@ Array = NDArray[np.float64]
 OFFSETS = (1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 10.0)  # [m] of a lane change, to either side
 DURATIONS = np.arange(0.5, 6.01, 0.05)  # [s] of a lane change
 SHARES = (0.5, 0.7, 0.85, 1.0)  # [1] of what a lane change may take
-BRAKING = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)  # [1] of mu g
+BRAKING = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)  # [1] of full braking
 STANDOFF = 0.8  # [m] to an obstacle in front when both stand
 BRISK = 0.7  # [1] of what a lane change may take, for one that the goal asks for
-FULL = 1.1  # [1] of mu g: all there is, and a little more to pull at
+FULL = 1.1  # [1] of full braking: all there is, and a little more to pull at
 SPEEDING_UP = 2.0  # [m/s^2]
 PASSING = 3.0  # [s] looked ahead for a lane change
 LONGER = 2.0  # [s] looked ahead before speeding up
 LITTLE = 0.2  # [m/s] that is no speeding up
 HERE = 0.05  # [m] from a lateral offset that counts as there
+KEPT = "the lane, or the way back to it, is clear"
+BRAKED = "the lane is not clear, and there is room to stop"
+BEGUN = "braking was begun, and all that the tyres give still does it"
+SWERVED = "there is no room to stop, and of the lane changes that are clear this is the gentlest"
+HOPELESS = "neither stopping nor a lane change is in time: all that the tyres give"
 
 
 class Decision:
@@ -46,7 +51,7 @@ class Decision:
 
     def __call__(self, scene: Scene, last: Manoeuvre | None) -> Manoeuvre:
         """What to do now, after `last`."""
-        horizon = scene.speed / (2 * self._settings.braking * scene.grip) + SLACK
+        horizon = scene.speed / (2 * self._settings.braking * scene.deceleration) + SLACK
         margin = self._settings.margin
         for keep in self._keeping(scene, last):
             longer = LONGER if keep.speed > scene.speed + LITTLE else 0.0
@@ -61,27 +66,28 @@ class Decision:
         swerve = self._swerve(scene, last)
         if swerve is not None:
             return swerve
-        return Manoeuvre("brake", self._towards_goal(scene, last), 0.0, FULL * scene.grip)
+        return Manoeuvre("brake", self._towards_goal(scene, last), 0.0, FULL * scene.deceleration, HOPELESS)
 
     def _keeping(self, scene: Scene, last: Manoeuvre | None) -> Iterator[Manoeuvre]:
         """Ways to keep the lane: the goal's speed first, then the present one."""
         path, present = self._towards_goal(scene, last), min(scene.speed, self._goal.speed)
-        yield Manoeuvre("keep", path, self._goal.speed, SPEEDING_UP)
-        yield Manoeuvre("keep", path, present, SPEEDING_UP)
+        yield Manoeuvre("keep", path, self._goal.speed, SPEEDING_UP, KEPT)
+        yield Manoeuvre("keep", path, present, SPEEDING_UP, KEPT)
         begun, target = scene.on_path(last), self._goal.lateral_offset
         if abs(begun[0] - target) > HERE:
             sharper = _change(scene, begun, target, BRISK * self._settings.evasive)
-            yield from () if sharper is None else (Manoeuvre("keep", sharper, present, SPEEDING_UP),)
+            yield from () if sharper is None else (Manoeuvre("keep", sharper, present, SPEEDING_UP, KEPT),)
 
     def _braking(self, scene: Scene, last: Manoeuvre | None, is_braking: bool) -> Iterator[tuple[Manoeuvre, float]]:
         """Ways to brake, the gentlest first, each with the clearance that it is to keep [m]."""
         path = self._towards_goal(scene, last)
         for share in BRAKING:
             if is_braking or share <= self._settings.braking:
-                yield Manoeuvre("brake", path, 0.0, share * scene.grip), STANDOFF
-        yield Manoeuvre("brake", path, 0.0, self._settings.braking * scene.grip), self._settings.margin
+                yield Manoeuvre("brake", path, 0.0, share * scene.deceleration, BRAKED), STANDOFF
+        most = self._settings.braking * scene.deceleration
+        yield Manoeuvre("brake", path, 0.0, most, BRAKED), self._settings.margin
         if is_braking:
-            yield Manoeuvre("brake", path, 0.0, FULL * scene.grip), 0.0
+            yield Manoeuvre("brake", path, 0.0, FULL * scene.deceleration, BEGUN), 0.0
 
     def _swerving(self, scene: Scene, last: Manoeuvre | None) -> Iterator[Manoeuvre]:
         """Ways to change lanes, the gentlest first, then the nearest, left before right."""
@@ -91,7 +97,7 @@ class Decision:
                 for name, side in (("left", 1), ("right", -1)):
                     path = _change(scene, begun, float(begun[0]) + side * offset, share * self._settings.evasive)
                     if path is not None:
-                        yield Manoeuvre(name, path, scene.speed, SPEEDING_UP)
+                        yield Manoeuvre(name, path, scene.speed, SPEEDING_UP, SWERVED)
 
     def _towards_goal(self, scene: Scene, last: Manoeuvre | None) -> Quintic:
         """The path to the goal's offset: the last one if it leads there, else the shortest gentle one."""

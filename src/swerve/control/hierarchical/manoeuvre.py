@@ -23,12 +23,14 @@ class Manoeuvre:
         lateral: the path.
         speed: towards which the vehicle goes [m/s].
         rate: at which its speed changes, at least 0 [m/s^2].
+        reason: why it is decided on, a sentence.
     """
 
     name: str
     lateral: Quintic
     speed: float
     rate: float
+    reason: str
 
     @property
     def side(self) -> Side | None:

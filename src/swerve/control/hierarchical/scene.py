@@ -29,6 +29,7 @@ class Scene:
         time: of that state, on the controller's clock [s].
         footprint: what must not touch anything.
         friction: mu [1].
+        braking: share of full braking that the vehicle's inputs reach [1].
         road: whose edges count.
         forecasts: of the obstacles.
     """
@@ -37,6 +38,7 @@ class Scene:
     time: float
     footprint: Footprint
     friction: float
+    braking: float
     road: Road
     forecasts: tuple[Forecast, ...]
 
@@ -44,6 +46,11 @@ class Scene:
     def grip(self) -> float:
         """The acceleration mu g [m/s^2]."""
         return self.friction * GRAVITY
+
+    @property
+    def deceleration(self) -> float:
+        """Of full braking [m/s^2]."""
+        return self.braking * self.grip
 
     @property
     def speed(self) -> float:

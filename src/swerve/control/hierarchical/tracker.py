@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.actuation import Actuation
 from swerve.control.hierarchical.manoeuvre import Manoeuvre
 from swerve.control.hierarchical.path_tracking import PathTracking
 from swerve.control.hierarchical.settings import HierarchicalSettings
@@ -40,11 +41,13 @@ class Tracked:
 
     Attributes:
         trajectory: that it would drive.
+        cost: of it: the tracker's own, what limits are missed by included [1].
         n_solved: quadratic programs solved.
         n_failed: quadratic programs without an answer.
     """
 
     trajectory: Trajectory
+    cost: float
     n_solved: int
     n_failed: int
 
@@ -59,11 +62,12 @@ class Tracker:
         friction: float,
         weights: Weights,
         settings: HierarchicalSettings,
+        actuation: Actuation,
     ) -> None:
-        """With the model's horizon, and the weights on the inputs that every controller has."""
+        """With the model's horizon, the inputs that there are, and the weights on them that every controller has."""
         self._model, self._vehicle, self._friction = model, vehicle, friction
         self._horizon: Horizon = model.horizon
-        self._blocking = Blocking(self._horizon)
+        self._blocking = Blocking(self._horizon, actuation)
         self._input_rate = InputRate.of(np.array([weights.steering_rate] + 4 * [weights.force_rate]), self._blocking)
         self._force = WheelForce(FORCE_WEIGHT, self._blocking)
         self._weights = np.array([settings.lateral_offset, settings.heading, settings.speed])
@@ -92,13 +96,13 @@ class Tracker:
             linear = self._model.linearise(step.trajectory, loads)
             solution = solve(program.convex(step.trajectory, condense(linear, self._blocking), TRUST))
             if not solution.is_solved:
-                return Tracked(step.trajectory, n_solved, 1)
+                return Tracked(step.trajectory, step.merit, n_solved, 1)
             n_solved += 1
             promise = step.score.penalty - solution.cost
             if promise < NOTHING * (1 + step.merit):
                 break
             step = accept(step, self._blocking.spread(solution.x[: self._blocking.n]), promise, roll_out)
-        return Tracked(step.trajectory, n_solved, 0)
+        return Tracked(step.trajectory, step.merit, n_solved, 0)
 
     def _program(self, manoeuvre: Manoeuvre, state: Array, command: Array, loads: Array) -> Program:
         """Cost and limits of this step."""

@@ -12,20 +12,25 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.actuation import Actuation
+from swerve.control.appraisal import Appraisal
 from swerve.control.fallback import fallback_plan, full_braking, shifted
+from swerve.control.forecast import forecasts
+from swerve.control.friction_use import friction_use
 from swerve.control.nonlinear.memory import Memory
 from swerve.control.nonlinear.program import NonlinearProgram
 from swerve.control.nonlinear.settings import NonlinearSettings
 from swerve.control.nonlinear.values import Guess, Question
-from swerve.control.plan import Branch, Fallback, Plan, Side
+from swerve.control.plan import KEEP, Fallback, Passing, Plan, Side
 from swerve.control.protocol import Controller
 from swerve.control.settings import Goal, Horizon, Latency, Weights
 from swerve.control.unified.compensation import is_late, n_commands, state_at_effect
 from swerve.control.unified.seeds import seeds
+from swerve.control.unified.way import Way
 from swerve.conventions import N_INPUTS, VX
 from swerve.signals import Command, Measurement
 from swerve.vehicle import Vehicle
-from swerve.world import Footprint, Obstacle, Shape
+from swerve.world import Footprint, Obstacle, Road, Shape, Steady
 
 Array = NDArray[np.float64]
 
@@ -41,6 +46,7 @@ class NonlinearController(Controller[Memory]):
         self,
         vehicle: Vehicle,
         footprint: Footprint,
+        road: Road,
         friction: float,
         goal: Goal,
         horizon: Horizon,
@@ -48,12 +54,18 @@ class NonlinearController(Controller[Memory]):
         latency: Latency,
         settings: NonlinearSettings,
         shapes: Sequence[Shape],
+        actuation: Actuation,
     ) -> None:
-        """Compile the program; the arguments, and what is raised, are those of `NonlinearProgram`."""
+        """Compile the program; the arguments, and what is raised, are those of `NonlinearProgram`.
+
+        Of the road's edges its plans tell, but it does not watch them.
+        """
         self._vehicle, self._friction, self._settings = vehicle, friction, settings
         self._horizon, self._latency = horizon, latency
-        self.program = NonlinearProgram(vehicle, footprint, friction, goal, horizon, weights, settings, shapes)
-        self._braking = full_braking(vehicle, friction, horizon.prediction)
+        limits = weights, settings, shapes, actuation
+        self.program = NonlinearProgram(vehicle, footprint, friction, goal, horizon, *limits)
+        self._appraisal = Appraisal(footprint, road, settings.clearance_margin, horizon)
+        self._braking = full_braking(vehicle, friction, horizon.prediction, actuation)
 
     def start(self) -> Memory:
         """Wheels straight, no force, no plan."""
@@ -72,7 +84,7 @@ class NonlinearController(Controller[Memory]):
             plans = {side: self._plan(side, question, memory) for side in Side}
             if not all(np.isfinite(each.inputs).all() for each in plans.values()):
                 return self._fall_back(measurement.time, Fallback.NO_SOLUTION, memory, n_failed=len(plans))
-            return self._take(measurement.time, plans, memory)
+            return self._take(measurement, question, plans, memory)
 
     def _question(self, measurement: Measurement, memory: Memory) -> Question:
         """What to plan from: the vehicle and the obstacles where they are when this step's command begins to act."""
@@ -82,16 +94,26 @@ class NonlinearController(Controller[Memory]):
         obstacles = tuple(_later(seen.as_obstacle(), after) for seen in measurement.obstacles)
         return Question(state, memory.commands[0], measurement.wheel_loads, obstacles)
 
-    def _take(self, time: float, plans: "Mapping[Side, _SidePlan]", memory: Memory) -> tuple[Command, Plan, Memory]:
+    def _take(
+        self, measurement: Measurement, question: Question, plans: "Mapping[Side, _SidePlan]", memory: Memory
+    ) -> tuple[Command, Plan, Memory]:
         """The better side's plan as command, and what the next step is to know."""
-        taken = _choose(plans, memory.committed, self._settings.commitment)
+        taken, reason = _choose(plans, memory.committed, self._settings.commitment)
         n_failed = sum(not each.is_solved for each in plans.values())
+        seen = forecasts(measurement.stamp, measurement.obstacles, ())
+        start = measurement.time + self._latency.effect(float(measurement.state[VX]))
+        of_side = (self._appraisal.branch(each.name, each.cost, each.states, start, seen) for each in plans.values())
+        demand = self.program.model.roll_out(question.state, taken.inputs, question.wheel_loads).lateral_demand[0]
         plan = Plan(
-            time,
+            measurement.time,
             taken.inputs,
             taken.states,
             taken.side if taken.is_shaped else None,
-            tuple(Branch(each.side, each.cost, each.violation) for each in plans.values()),
+            taken.name if taken.is_shaped else KEEP,
+            taken.is_shaped,
+            tuple(of_side),
+            reason if taken.is_shaped else "nothing is in the way of the cheapest",
+            friction_use=friction_use(taken.inputs[0], demand, self._friction * question.wheel_loads),
             fallback=Fallback.NO_SOLUTION if n_failed == len(plans) else None,
             solver_failures=n_failed,
         )
@@ -109,8 +131,9 @@ class NonlinearController(Controller[Memory]):
         if not answer.is_solved:
             violation = guess.missed_clearance
             return _SidePlan(side, guess.inputs, guess.states, guess.cost, violation, violation > CLEAR, False)
-        is_shaped = bool((np.abs(self.program.gap_multipliers(answer)) > ACTIVE).any())
-        return _SidePlan(side, answer.inputs, answer.states, answer.cost, answer.missed_clearance, is_shaped, True)
+        is_held = bool((np.abs(self.program.gap_multipliers(answer)) > ACTIVE).any())
+        missed = answer.missed_clearance
+        return _SidePlan(side, answer.inputs, answer.states, answer.cost, missed, is_held or missed > CLEAR, True)
 
     def _guess(self, side: Side, question: Question, memory: Memory) -> Guess:
         """The last plan of a side one sample later; where that is not clear, the cheapest of it and first guesses."""
@@ -118,7 +141,8 @@ class NonlinearController(Controller[Memory]):
         if guess.missed_clearance <= CLEAR:
             return guess
         speed, limit = float(question.state[VX]), self._settings.slip_limit
-        pulses = seeds(self._vehicle, self._friction, limit, speed, side, self._horizon.prediction)
+        way, largest = Way((Passing(side.value),), (0,)), self.program.largest(question)
+        pulses = seeds(self._vehicle, self._friction, limit, speed, way, largest, self._horizon.prediction)
         guesses = (guess, *(self.program.guess(question, each) for each in pulses))
         return min(guesses, key=lambda each: each.cost if np.isfinite(each.cost) else np.inf)
 
@@ -146,19 +170,26 @@ class _SidePlan:
     is_shaped: bool
     is_solved: bool
 
+    @property
+    def name(self) -> str:
+        """The side in a word."""
+        return self.side.name.lower()
 
-def _choose(plans: Mapping[Side, _SidePlan], committed: Side | None, commitment: float) -> _SidePlan:
+
+def _choose(plans: Mapping[Side, _SidePlan], committed: Side | None, commitment: float) -> tuple[_SidePlan, str]:
     """Clear before not clear, then cheaper, left when equal; a side once taken is kept while it is as good as this."""
     left, right = plans[Side.LEFT], plans[Side.RIGHT]
     if (left.violation <= CLEAR) != (right.violation <= CLEAR):
-        return left if left.violation <= CLEAR else right
+        return left if left.violation <= CLEAR else right, "the only side that is clear"
     if committed is None:
-        return left if left.cost <= right.cost * (1 + EQUAL) + EQUAL else right
+        return left if left.cost <= right.cost * (1 + EQUAL) + EQUAL else right, "the cheaper side"
     here, there = plans[committed], plans[Side(-committed.value)]
-    return there if there.cost < commitment * here.cost else here
+    if there.cost < commitment * here.cost:
+        return there, f"costs less than {commitment:.0%} of the side so far, {here.name}"
+    return here, "the side so far, and the other is not much cheaper"
 
 
 def _later(obstacle: Obstacle, after: float) -> Obstacle:
     """The obstacle with `after` [s] as its time zero."""
-    x, y = obstacle.position_at(after)
-    return replace(obstacle, position=(float(x), float(y)))
+    (x, y), (vx, vy) = obstacle.position_at(after).tolist(), obstacle.velocity_at(after).tolist()
+    return replace(obstacle, motion=Steady((x, y), (vx, vy), float(obstacle.heading_at(after))))

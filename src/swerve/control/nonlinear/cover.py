@@ -52,14 +52,16 @@ def n_parts(shape: Shape) -> int:
 
 
 def pairs(footprint: Footprint, obstacle: Obstacle) -> list[Pair]:
-    """All pairs between a footprint and an obstacle, which is where it is at its time zero."""
-    cos, sin = np.cos(obstacle.heading), np.sin(obstacle.heading)
+    """All pairs between a footprint and an obstacle as it is at its time zero."""
+    heading, position = float(obstacle.heading_at(0.0)), obstacle.position_at(0.0)
+    vx, vy = obstacle.velocity_at(0.0).tolist()
+    cos, sin = np.cos(heading), np.sin(heading)
     found = []
     for offset, radius in _discs(footprint):
         for (x, y), semi_axes in _ellipses(obstacle.shape):
-            centre = (obstacle.position[0] + cos * x - sin * y, obstacle.position[1] + sin * x + cos * y)
+            centre = (float(position[0] + cos * x - sin * y), float(position[1] + sin * x + cos * y))
             blown = _blown_up(semi_axes, radius)
-            found.append(Pair(offset, centre, obstacle.velocity, blown, obstacle.heading))
+            found.append(Pair(offset, centre, (vx, vy), blown, heading))
     return found
 
 

@@ -7,6 +7,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.actuation import Actuation
 from swerve.control.nonlinear.buffered import Buffered
 from swerve.control.nonlinear.cover import n_parts, pairs
 from swerve.control.nonlinear.formulation import N_TURNS, Parameters, formulate
@@ -48,6 +49,7 @@ class NonlinearProgram:
         weights: Weights,
         settings: NonlinearSettings,
         shapes: Sequence[Shape],
+        actuation: Actuation,
     ) -> None:
         """Build and compile the program, or take it from the cache.
 
@@ -60,6 +62,7 @@ class NonlinearProgram:
             weights: of (10).
             settings: penalties, limits and the solver's name.
             shapes: of the obstacles that there may be; of more obstacles the program keeps clear of the nearest.
+            actuation: the inputs that there are, each of them free, if only in one direction.
 
         Raises:
             SwerveError: it can't be compiled.
@@ -74,7 +77,7 @@ class NonlinearProgram:
         self._evaluate = Buffered(ca.external("nlp", str(compiled)))
         self._solver = Solver(solver, compiled, self.layout, self.formulation.n_rows)
         self.model = PredictionModel(vehicle, friction, horizon)
-        self._vehicle, self._footprint, self._friction = vehicle, footprint, friction
+        self._vehicle, self._footprint, self._friction, self._actuation = vehicle, footprint, friction, actuation
         turn = min(vehicle.steering_rate_limit * horizon.sample_time / INPUT_SCALE[DELTA], UNLIMITED)
         self._constants = {"turn": turn} | _constants(goal, weights, settings, self._n_obstacles)
         self._margin, self._sample_time = settings.clearance_margin, horizon.sample_time
@@ -82,8 +85,7 @@ class NonlinearProgram:
 
     def guess(self, question: Question, inputs: Array) -> Guess:
         """A start at the roll-out of inputs (Np, 5), clipped to their bounds."""
-        largest = self._largest(question)
-        scaled = np.clip(self.layout.held(inputs) / INPUT_SCALE, -largest, largest)
+        scaled = np.clip(self.layout.held(inputs) / INPUT_SCALE, *self._range(question))
         self._slow_down(scaled, question.command[DELTA] / INPUT_SCALE[DELTA])
         inputs = scaled * INPUT_SCALE
         states = self.model.roll_out(question.state, inputs, question.wheel_loads).states
@@ -125,9 +127,8 @@ class NonlinearProgram:
 
     def bounds(self, question: Question) -> tuple[Array, Array]:
         """Smallest and largest value of each variable."""
-        upper = np.full(self.layout.n, np.inf)
-        upper[self.layout.inputs] = self._largest(question)
-        lower = -upper
+        lower, upper = np.full(self.layout.n, -np.inf), np.full(self.layout.n, np.inf)
+        lower[self.layout.inputs], upper[self.layout.inputs] = self._range(question)
         lower[self.layout.slacks] = 0.0
         return lower, upper
 
@@ -149,7 +150,7 @@ class NonlinearProgram:
         here = question.state[[X, Y]]
         found = np.tile(NOWHERE, (self._n_obstacles, self._n_pairs, 1))
         found[..., CENTRE] += here
-        nearest = sorted(question.obstacles, key=lambda each: float(np.hypot(*(each.position - here))))
+        nearest = sorted(question.obstacles, key=lambda each: float(np.hypot(*(each.position_at(0.0) - here))))
         for place, obstacle in zip(found, nearest, strict=False):
             numbers = [pair.as_tuple() for pair in pairs(self._footprint, obstacle)][: self._n_pairs]
             place[: len(numbers)] = numbers
@@ -180,11 +181,16 @@ class NonlinearProgram:
         """Of the rows' values, those of each sample beside the dynamics, (Np, n_rows)."""
         return np.asarray(of_rows.reshape(self.layout.n_samples, -1)[:, -self.formulation.n_rows :])
 
-    def _largest(self, question: Question) -> Array:
-        """(5,) largest magnitude of each input, in units of INPUT_SCALE."""
+    def largest(self, question: Question) -> Array:
+        """(5,) largest magnitude of each input [rad, N, N, N, N]."""
         share = self._vehicle.force_limit * self._friction
         loads = np.maximum(question.wheel_loads, LEAST_LOAD)
-        return np.asarray(np.append(self._vehicle.steering_limit, share * loads) / INPUT_SCALE)
+        return np.append(self._vehicle.steering_limit, share * loads)
+
+    def _range(self, question: Question) -> tuple[Array, Array]:
+        """(5,) smallest and largest value of each input, in units of INPUT_SCALE."""
+        largest = self.largest(question) / INPUT_SCALE
+        return self._actuation.lower * largest, self._actuation.upper * largest
 
 
 def _constants(goal: Goal, weights: Weights, settings: NonlinearSettings, n_obstacles: int) -> dict[str, Any]:

@@ -38,8 +38,7 @@ class Seen:
     @classmethod
     def at(cls, obstacle: Obstacle, times: Array) -> Self:
         """The obstacle at times (n,) [s]."""
-        velocity = np.broadcast_to(obstacle.velocity, (len(times), 2))
-        return cls(obstacle, obstacle.position_at(times), velocity, np.full(len(times), obstacle.heading))
+        return cls(obstacle, obstacle.position_at(times), obstacle.velocity_at(times), obstacle.heading_at(times))
 
     def of_rows(self, rows: NDArray[np.bool_]) -> Self:
         """At some of the instants alone."""

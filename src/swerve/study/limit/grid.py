@@ -6,19 +6,17 @@ the time that a point mass takes:  sqrt(2 w / (mu g))  aside by w,  v / (mu g)  
 
 from dataclasses import dataclass
 from enum import Enum
-from math import sqrt
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.study.limit.scene import Scene
+from swerve.study.limit.scene import WALKING, Scene
 
 Array = NDArray[np.float64]
 
 N_INTERVALS: Final = 100
-SETTLING: Final = 4.0  # [1] times the time to go aside: past the obstacles, and straight again
-NEAREST: Final = 1.3  # [1] times the distance at which a point mass can go aside: where the pass may begin
+LASTING: Final = 4.0  # [1] times the time to go aside: past the obstacles, and straight again
 STOPPING: Final = 1.25  # [1] times the time that a point mass takes to stop
 
 
@@ -49,8 +47,7 @@ class Grid:
 
 def grid_for(scene: Scene, ending: Ending) -> Grid:
     """The grid for an ending, at the scene's friction."""
-    closing, grip = max(scene.speed - scene.slowest, 1.0), scene.grip(scene.friction)
     if ending is Ending.BEHIND:
-        return Grid(ending, STOPPING * closing / grip / N_INTERVALS)
-    aside = sqrt(2 * scene.room / grip)
-    return Grid(ending, ((NEAREST + SETTLING * sqrt(0.5)) * aside + scene.depth / closing) / N_INTERVALS)
+        slowing = max(scene.speed - scene.slowest, WALKING)
+        return Grid(ending, STOPPING * slowing / scene.grip / N_INTERVALS)
+    return Grid(ending, (LASTING * scene.time_aside + scene.depth / scene.closing) / N_INTERVALS)

@@ -11,7 +11,6 @@ distance is sought, the first of a geometric sequence at which this keeps clear 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
-from math import sqrt
 from typing import Final
 
 import numpy as np
@@ -21,18 +20,20 @@ from swerve.conventions import DELTA, FORCES, N_INPUTS, PSI, VX, VY, R, X, Y
 from swerve.study.limit.dynamics import dynamics, slip_speed_floor
 from swerve.study.limit.grid import N_INTERVALS, Ending, grid_for
 from swerve.study.limit.means import Means
+from swerve.study.limit.program import CREEP, END_SIDESLIP, END_YAW_RATE
 from swerve.study.limit.scene import AHEAD, ASIDE, Scene, reach
-from swerve.study.limit.solve import Sought, Trajectory, gaps
+from swerve.study.limit.separation import gaps
+from swerve.study.limit.trajectory import Sought, Trajectory
 
 Array = NDArray[np.float64]
 
-PREVIEW: Final = 0.35  # [s]
+PREVIEW: Final = 0.5  # [1] times the time that a point mass takes to go aside
 PEAK_SLIP: Final = 0.12  # [rad] of the front wheels, near the tyre's peak
 GENTLE_SLIP: Final = 0.08  # [rad]
 MARGIN: Final = 0.4  # [m] beside an obstacle
 NEAREST: Final = 0.9  # [1] times the distance at which a point mass goes aside: the first that is tried
-GROWTH: Final = 1.08  # [1] from one distance that is tried to the next
-TRIALS: Final = 40
+GROWTH: Final = 1.1  # [1] from one distance that is tried to the next
+TRIALS: Final = 20
 MOST_SIDES: Final = 2  # obstacles that are passed left and right in turn; the others are on the last one's side
 
 
@@ -62,9 +63,8 @@ class Start:
 
 def starts(scene: Scene, means: Means) -> list[Start]:
     """The ways that are tried."""
-    straight = Start(Ending.BEHIND, (), 1.0)
     if means is Means.BRAKING:
-        return [straight]
+        return [] if scene.is_oncoming else [Start(Ending.BEHIND, (), 1.0)]
     steering = ((0.0, PEAK_SLIP), (0.0, GENTLE_SLIP))
     hows = steering if means is Means.STEERING else ((0.3, PEAK_SLIP), (0.7, PEAK_SLIP))
     n = min(len(scene.obstacles), MOST_SIDES)
@@ -78,16 +78,20 @@ def guess(scene: Scene, start: Start, sought: Sought) -> Trajectory:
         return driven
     for at in _tried(scene, sought):
         driven = drive(at, start)
-        if driven.violation <= 0:
+        if driven.violation <= 0 and _is_straight(driven):
             break
     return driven
 
 
+def _is_straight(driven: Trajectory) -> bool:
+    """Whether the end is what the program asks for."""
+    end = driven.states[-1]
+    return bool(abs(end[VY]) <= CREEP + END_SIDESLIP * end[VX] and abs(end[R]) <= END_YAW_RATE)
+
+
 def _tried(scene: Scene, sought: Sought) -> Iterator[Scene]:
     """The scene, easier from one to the next."""
-    grip = scene.grip(scene.friction)
-    closing = max(scene.speed - scene.slowest, 1.0)
-    aside = closing * sqrt(2 * scene.room / grip)
+    aside = scene.closing * scene.time_aside
     for i in range(TRIALS):
         if sought is Sought.DISTANCE:
             yield scene.at(NEAREST * aside * GROWTH**i)
@@ -108,13 +112,13 @@ def drive(scene: Scene, start: Start) -> Trajectory:
         is_before = start.ending is Ending.BEHIND or x[X] < knots_x[-1]
         shares[k, FORCES] = -min(start.brake, _to_stop(scene, x, grid.step)) if is_before else 0.0
         states[k + 1] = np.array(advance(x, shares[k], scene.friction, grid.step, floor)).ravel()
-    violation = max(-float(gaps(each, scene, states, grid.times)[1].min()) for each in scene.obstacles)
+    violation = max(-float(gaps(each, scene.footprint, states, grid.times)[1].min()) for each in scene.obstacles)
     return Trajectory(grid, states, shares, scene.distance, scene.friction, max(0.0, violation))
 
 
 def _to_stop(scene: Scene, x: Array, step: float) -> float:
     """The share of the brakes that stops within an interval."""
-    full = scene.vehicle.force_limit * scene.grip(scene.friction) * step
+    full = scene.vehicle.force_limit * scene.grip * step
     return float(max(0.0, x[VX] - scene.slowest) / full)
 
 
@@ -122,9 +126,10 @@ def _steering(scene: Scene, x: Array, knots_x: Array, knots_y: Array, slip: floa
     """The driver's angle [rad]."""
     vehicle, speed = scene.vehicle, max(float(np.hypot(x[VX], x[VY])), 1.0)
     course = x[PSI] + np.arctan2(x[VY], x[VX])
-    ahead = _height(x[X] + PREVIEW * speed * np.cos(course), knots_x, knots_y)
-    missing = ahead - x[Y] - PREVIEW * speed * np.sin(course)
-    wanted = 2 / PREVIEW**2 * missing * vehicle.wheelbase / speed**2
+    preview = PREVIEW * scene.time_aside
+    ahead = _height(x[X] + preview * speed * np.cos(course), knots_x, knots_y)
+    missing = ahead - x[Y] - preview * speed * np.sin(course)
+    wanted = 2 / preview**2 * missing * vehicle.wheelbase / speed**2
     at_front = np.arctan2(x[VY] + vehicle.cg_to_front_axle * x[R], max(x[VX], 1.0))
     angle = np.clip(wanted, at_front - slip, at_front + slip)
     return float(np.clip(angle, -vehicle.steering_limit, vehicle.steering_limit))
@@ -141,14 +146,14 @@ def _path(scene: Scene, start: Start) -> tuple[Array, Array]:
     """Knots of the path: where the vehicle starts, and beside each obstacle where it is when that is passed."""
     own = float(scene.footprint.support(ASIDE).max())
     knots = [(float(scene.start[X]), float(scene.start[Y]))]
-    order = sorted(scene.obstacles, key=lambda each: each.position[0])
+    order = sorted(scene.obstacles, key=lambda each: float(each.position_at(0.0)[0]))
     for i, obstacle in enumerate(order):
-        closing = max(scene.speed - obstacle.velocity[0], 1.0)
-        time = max(0.0, obstacle.position[0] - scene.start[X]) / closing
+        closing = max(scene.speed - obstacle.velocity_at(0.0)[0], 1.0)
+        time = max(0.0, obstacle.position_at(0.0)[0] - scene.start[X]) / closing
         x, y = obstacle.position_at(time)
         side = start.sides[min(i, len(start.sides) - 1)] if start.sides else 0
-        level = y + side * (float(reach(obstacle, side * ASIDE[:1])[0]) + own + MARGIN)
-        half = float(reach(obstacle, AHEAD)[1]) / 2
+        level = y + side * (float(reach(obstacle, side * ASIDE[:1], time)[0]) + own + MARGIN)
+        half = float(reach(obstacle, AHEAD, time)[1]) / 2
         before = max(x - half, knots[-1][0] + 1.0)
         knots += [(before, level), (max(x + half, before + 1.0), level)]
     across, up = np.array(knots).T

@@ -6,10 +6,11 @@ from typing import Final
 
 from swerve.scenario import load
 from swerve.study.limit import point_mass
-from swerve.study.limit.limit import Progress, best
+from swerve.study.limit.best import best
+from swerve.study.limit.limit import Progress
 from swerve.study.limit.means import Means
 from swerve.study.limit.scene import Scene
-from swerve.study.limit.solve import Sought
+from swerve.study.limit.trajectory import Sought
 
 SPEEDS: Final = (15.0, 20.0, 25.0, 30.0, 35.0)  # [m/s]
 FRICTIONS: Final = (0.3, 0.5, 0.85, 1.0)  # [1]

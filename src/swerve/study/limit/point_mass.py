@@ -32,6 +32,7 @@ Array = NDArray[np.float64]
 N_TIMES: Final = 20000
 RAYS: Final = np.radians(np.arange(90.0, 171.0, 5.0))  # [rad] from the direction of approach, backwards
 N_DIRECTIONS: Final = 720
+N_HEADINGS: Final = 20  # of an obstacle that turns
 COARSE: Final = 0.5  # [m] between the distances of which the first that can be avoided is looked for
 FURTHEST: Final = 400  # of them
 FINE: Final = 1e-3  # [m] and, of friction, [1]
@@ -68,7 +69,7 @@ def _is_avoidable(scene: Scene, obstacle: Obstacle) -> bool:
     heading, speed = scene.start[PSI], scene.start[VX]
     velocity = speed * np.array([np.cos(heading), np.sin(heading)])
     grip = _grip(scene)
-    closing = velocity - (obstacle.position_at(1e-3) - obstacle.position_at(0.0)) / 1e-3
+    closing = velocity - obstacle.velocity_at(0.0)
     times = np.linspace(0.0, 2 * (speed + np.hypot(*closing)) / grip, N_TIMES)
     q = obstacle.position_at(times) - scene.start[4:] - times[:, np.newaxis] * velocity
     moves = np.hypot(*np.diff(q, axis=0).T).max() / 2  # between an instant of the grid and the nearest in between
@@ -80,25 +81,29 @@ def _is_avoidable(scene: Scene, obstacle: Obstacle) -> bool:
         return True
     in_time = slice(0, int(np.argmin(is_behind)) + 1)
     seen = np.arctan2(*-q[0][::-1]) - direction  # of the start, from the centre
-    between = {side: side * RAYS[(side * seen) % (2 * np.pi) >= RAYS] + direction for side in (1, -1)}
-    return any(_passes(scene, obstacle, rays, q[in_time], reached[in_time]) for rays in between.values())
+    between = [side * RAYS[(side * seen) % (2 * np.pi) >= RAYS] + direction for side in (1, -1)]
+    turning = np.linspace(0.0, times[in_time][-1], N_HEADINGS)
+    return any(
+        _passes(rays, _leaves(scene, obstacle, rays, turning), q[in_time], reached[in_time])
+        for rays in (np.column_stack((np.cos(angles), np.sin(angles))) for angles in between)
+    )
 
 
-def _passes(scene: Scene, obstacle: Obstacle, angles: Array, q: Array, reached: Array) -> bool:
-    """Whether every ray can be crossed at some time."""
-    rays = np.column_stack((np.cos(angles), np.sin(angles)))
-    from_centre = np.maximum(_leaves(scene, obstacle, rays)[:, np.newaxis], -rays @ q.T)
+def _passes(rays: Array, leaves: Array, q: Array, reached: Array) -> bool:
+    """Whether every ray can be crossed at some time, beyond where it leaves the obstacle."""
+    from_centre = np.maximum(leaves[:, np.newaxis], -rays @ q.T)
     nearest = np.hypot(*(q.T[:, np.newaxis] + rays.T[:, :, np.newaxis] * from_centre))
     return bool((nearest <= reached).any(axis=1).all())
 
 
-def _leaves(scene: Scene, obstacle: Obstacle, rays: Array) -> Array:
-    """Where each ray leaves the obstacle, widened by a disc [m]: the nearest of its supporting lines."""
+def _leaves(scene: Scene, obstacle: Obstacle, rays: Array, times: Array) -> Array:
+    """Where each ray leaves the obstacle at the least, widened by a disc [m]: the nearest of its supporting lines."""
     angles = np.linspace(0.0, 2 * np.pi, N_DIRECTIONS, endpoint=False)
     normals = np.column_stack((np.cos(angles), np.sin(angles)))
     disc = max(0.0, float(scene.footprint.support(normals).min()))
     along = rays @ normals.T
-    lines = (reach(obstacle, normals) + disc) / np.where(along > 1e-9, along, np.nan)
+    supports = [reach(obstacle, normals, time) for time in times]
+    lines = (np.min(supports, axis=0) + disc) / np.where(along > 1e-9, along, np.nan)
     leaves: Array = np.nanmin(lines, axis=1)
     leaves *= np.cos(np.pi / N_DIRECTIONS)  # the nearest line of N is no further out than this
     return leaves
@@ -108,4 +113,4 @@ def _grip(scene: Scene) -> float:
     """a [m/s^2]."""
     loads = wheel_loads(Parameters.of(scene.vehicle, scene.friction))
     peak = max(1.0, *(float(factors(scene.vehicle.tyre, load)[2]) for load in loads))
-    return scene.grip(scene.friction) * peak
+    return scene.grip * peak

@@ -1,6 +1,6 @@
 """The optimal control problem as a nonlinear program, by direct multiple shooting.
 
-minimise    c . (D, mu, s) + epsilon sum h |w_k|^2
+minimise    c . (D, mu, s) + p (sum h |v_k - v'_k|^2 + 0.3 sum |line - line'|^2)
 over        states x_k+1, inputs v_k (w_k = E v_k) and a line for each obstacle in each of N intervals; D, mu, s
 subject to  x_k+1 = F(x_k, w_k, mu),  two Runge-Kutta steps of eq. (1) with static loads                         (1)
             the lines part the vehicle at both ends of the interval from the obstacles, shifted to D, to within s
@@ -9,7 +9,8 @@ subject to  x_k+1 = F(x_k, w_k, mu),  two Runge-Kutta steps of eq. (1) with stat
             at the end |vy| <= 0.05 vx, |r| <= 0.1 rad/s, and past the obstacles, or behind and no faster
 
 One of D, mu and s is free and minimised: the distance, the friction, or the violation at a distance that is given. The
-term in epsilon = 1e-4 m/s picks one of many controls that do equally well; it costs less than a millimetre.
+primes are those of the guess, and p is how much it costs to leave it: many controls do equally well, and without that
+term the solver wanders among them. See `descent` for what becomes of it.
 """
 
 from dataclasses import dataclass
@@ -17,32 +18,22 @@ from functools import cache
 from typing import Any, Final
 
 import casadi as ca
-import numpy as np
-from numpy.typing import NDArray
 
 from swerve.conventions import N_STATES, PSI, VX, VY, X, Y
 from swerve.study.limit.dynamics import dynamics
 from swerve.study.limit.grid import N_INTERVALS
-from swerve.study.limit.means import Means
+from swerve.study.limit.layout import DISTANCE_SCALE, LOCK_SCALE, STATE_SCALE, Given, Layout, Structure, given, layout
 from swerve.study.limit.separation import rows as separation_rows
 from swerve.study.limit.separation import turned
-from swerve.vehicle import Vehicle
 
-Array = NDArray[np.float64]
-
-STATE_SCALE: Final = np.array([10.0, 1.0, 1.0, 0.3, 10.0, 1.0])  # [m/s, m/s, rad/s, rad, m, m] per unit of a variable
-LOCK_SCALE: Final = 5.0  # of the steering lock's share: small angles matter
-GLOBALS: Final = 3  # D [10 m], mu [1], s [m]
-DISTANCE_SCALE: Final = 10.0  # [m]
-LINE_WEIGHT: Final = 1e-5  # [m] and [m / m^2]: holds lines where any would do
-EPSILON: Final = 1e-4  # [m/s]
+LINE_WEIGHT: Final = 0.3  # [m] and [m / m^2], times p
 END_SIDESLIP: Final = 0.05  # [rad]
 END_YAW_RATE: Final = 0.1  # [rad/s]
 CREEP: Final = 0.05  # [m/s] what counts as no faster
 SOLVER: Final = {
     "print_level": 0,
     "sb": "yes",
-    "max_iter": 250,
+    "max_iter": 120,
     "tol": 1e-6,
     "constr_viol_tol": 1e-6,
     "acceptable_tol": 1e-2,  # of the multipliers, which many equal controls leave loose; the rows are kept as tightly
@@ -55,47 +46,6 @@ SOLVER: Final = {
 }
 
 
-@dataclass(frozen=True)
-class Structure:
-    """What the expressions depend on; all else is a parameter of the program.
-
-    Attributes:
-        vehicle: its numbers are constants of the program, which halves its size.
-        means: the free inputs.
-        ellipses: whether each obstacle is an ellipse, or a rectangle.
-        n_vertices: of the footprint.
-    """
-
-    vehicle: Vehicle
-    means: Means
-    ellipses: tuple[bool, ...]
-    n_vertices: int
-
-
-@dataclass(frozen=True)
-class Layout:
-    """Where the variables are, and the rows by the name of what they ask.
-
-    Attributes:
-        states: (N, 6) of x_1 ... x_N.
-        inputs: (N, n) of v_0 ... v_N-1.
-        lines: (n_obstacles, N, 2).
-        globals: (3,) of D, mu, s.
-        rows: slice of each group.
-    """
-
-    states: NDArray[np.int_]
-    inputs: NDArray[np.int_]
-    lines: NDArray[np.int_]
-    globals: NDArray[np.int_]
-    rows: dict[str, slice]
-
-    @property
-    def n(self) -> int:
-        """Number of variables."""
-        return int(self.globals[-1]) + 1
-
-
 @dataclass(frozen=True, eq=False)
 class Program:
     """The program of a structure, ready to be solved with any numbers."""
@@ -104,37 +54,13 @@ class Program:
     solver: ca.Function
 
 
-class Given(dict[str, Any]):
-    """Parameters by name: symbols, or numbers."""
-
-    def vector(self) -> Any:
-        """All of them, in order."""
-        return ca.vertcat(*(ca.vec(value) for value in self.values()))
-
-
-def given(structure: Structure) -> Given:
-    """A symbol for each parameter; `question.numbers` has their meaning."""
-    n, nodes = len(structure.ellipses), N_INTERVALS + 1
-    sizes = {
-        "start": (6, 1),
-        "step": (1, 1),
-        "slip_speed_floor": (1, 1),
-        "cost": (GLOBALS + 1, 1),
-        "vertices": (2, structure.n_vertices),
-    }
-    sizes |= {f"poses{i}": (3, nodes) for i in range(n)} | {f"half{i}": (2, 1) for i in range(n)}
-    sizes |= {f"lines{i}": (2, N_INTERVALS) for i in range(n)}
-    return Given({name: ca.SX.sym(name, *size) for name, size in sizes.items()})
-
-
 @cache
 def program(structure: Structure) -> Program:
     """Build the program, once in a process."""
-    layout_parts = _variables(structure)
-    x, w, lines, (distance, mu, slack) = layout_parts
+    x, v, lines, (distance, mu, slack) = _variables(structure)
     p = given(structure)
     states = ca.horzcat(p["start"], ca.diag(STATE_SCALE) @ x)
-    shares = ca.DM(structure.means.directions) @ w
+    shares = ca.DM(structure.means.directions) @ v
     shares[0, :] /= LOCK_SCALE
     shift = DISTANCE_SCALE * distance
     step, clock = dynamics(structure.vehicle), (p["step"], p["slip_speed_floor"])
@@ -148,33 +74,27 @@ def program(structure: Structure) -> Program:
         "end": [CREEP + END_SIDESLIP * states[VX, -1] + sign * states[VY, -1] for sign in (1, -1)],
         "past": [states[X, -1] - shift - p[f"poses{i}"][0, -1] for i in range(len(structure.ellipses))],
     }
-    variables = ca.vertcat(ca.vec(x), ca.vec(w), *(ca.vec(each) for each in lines), distance, mu, slack)
-    cost = ca.dot(p["cost"], ca.vertcat(shift, mu, slack, p["step"] * ca.sumsqr(shares)))
-    cost += LINE_WEIGHT * sum(ca.sumsqr(each - p[f"lines{i}"]) for i, each in enumerate(lines))
+    variables = ca.vertcat(ca.vec(x), ca.vec(v), *(ca.vec(each) for each in lines), distance, mu, slack)
+    cost = ca.dot(p["cost"], ca.vertcat(shift, mu, slack)) + p["proximity"] * _far(v, lines, p)
     rows = {name: ca.vertcat(*group) for name, group in groups.items()}
     problem = {"x": variables, "p": p.vector(), "f": cost, "g": ca.vertcat(*rows.values())}
     options: dict[str, Any] = {"print_time": False, "calc_lam_p": False, "ipopt": SOLVER}
     solver = ca.nlpsol("limit", "ipopt", problem, options)
-    return Program(_layout(structure, rows), solver)
+    return Program(layout(structure, rows), solver)
 
 
 def _variables(structure: Structure) -> tuple[ca.SX, ca.SX, list[ca.SX], list[ca.SX]]:
-    n_inputs = structure.means.directions.shape[1]
     lines = [ca.SX.sym(f"line{i}", 2, N_INTERVALS) for i in range(len(structure.ellipses))]
-    x, v = ca.SX.sym("x", N_STATES, N_INTERVALS), ca.SX.sym("v", n_inputs, N_INTERVALS)
+    x, v = ca.SX.sym("x", N_STATES, N_INTERVALS), ca.SX.sym("v", structure.n_inputs, N_INTERVALS)
     return x, v, lines, [ca.SX.sym(name) for name in ("D", "mu", "s")]
 
 
-def _layout(structure: Structure, rows: dict[str, ca.SX]) -> Layout:
-    n_inputs, n_obstacles = structure.means.directions.shape[1], len(structure.ellipses)
-    sizes = np.cumsum([N_STATES * N_INTERVALS, n_inputs * N_INTERVALS, 2 * n_obstacles * N_INTERVALS, GLOBALS])
-    states, inputs, lines, last = np.split(np.arange(sizes[-1]), sizes[:-1])
-    ends = np.cumsum([0, *(each.numel() for each in rows.values())])
-    slices = {name: slice(int(ends[i]), int(ends[i + 1])) for i, name in enumerate(rows)}
-    shape = (n_obstacles, N_INTERVALS, 2)
-    return Layout(
-        states.reshape(N_INTERVALS, N_STATES), inputs.reshape(N_INTERVALS, n_inputs), lines.reshape(shape), last, slices
-    )
+def _far(v: ca.SX, lines: list[ca.SX], p: Given) -> ca.SX:
+    """How far inputs and lines are from the guess's."""
+    far: ca.SX = p["step"] * ca.sumsqr(v - p["inputs"])
+    for i, each in enumerate(lines):
+        far += LINE_WEIGHT * ca.sumsqr(each - p[f"lines{i}"])
+    return far
 
 
 def _intervals(first: int = 0) -> range:

@@ -20,7 +20,7 @@ from swerve.study.limit.dynamics import inputs
 from swerve.study.limit.grid import Ending
 from swerve.study.limit.program import CREEP, END_SIDESLIP, END_YAW_RATE
 from swerve.study.limit.scene import AHEAD, Scene, reach
-from swerve.study.limit.solve import Trajectory
+from swerve.study.limit.trajectory import Trajectory
 from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters, symbols, two_track
 from swerve.world import Ellipse, clearance, distance_ratio
@@ -123,5 +123,5 @@ def _is_stable(scene: Scene, found: Trajectory, time: float, end: Array) -> bool
     if found.grid.ending is Ending.BEHIND:
         return bool(is_straight and end[VX] <= scene.slowest + LOOSER * CREEP)
     own = float(scene.footprint.support(AHEAD)[1])
-    past = [end[X] - each.position_at(time)[0] - reach(each, AHEAD)[0] - own for each in scene.obstacles]
+    past = [end[X] - each.position_at(time)[0] - reach(each, AHEAD, time)[0] - own for each in scene.obstacles]
     return bool(is_straight and min(past) >= -PAST)

@@ -5,7 +5,8 @@ shift moves all obstacles by as much, so that what lies between them stays.
 """
 
 from dataclasses import dataclass, replace
-from typing import Self
+from math import sqrt
+from typing import Final, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,13 +14,16 @@ from numpy.typing import NDArray
 from swerve.conventions import GRAVITY
 from swerve.errors import InputError
 from swerve.scenario import Scenario
+from swerve.study.limit.shifted import shifted
 from swerve.vehicle import Vehicle
 from swerve.world import Footprint, Obstacle, Road
 
 Array = NDArray[np.float64]
 
-AHEAD = np.array([[1.0, 0.0], [-1.0, 0.0]])
-ASIDE = np.array([[0.0, 1.0], [0.0, -1.0]])
+AHEAD: Final = np.array([[1.0, 0.0], [-1.0, 0.0]])
+ASIDE: Final = np.array([[0.0, 1.0], [0.0, -1.0]])
+FORESEEN: Final = np.arange(0.0, 10.0, 0.1)  # [s] when an obstacle's speed is looked at
+WALKING: Final = 1.0  # [m/s]
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +58,8 @@ class Scene:
         ego = scenario.ego
         start = np.array([ego.speed, 0.0, 0.0, ego.heading, *ego.position])
         obstacles = tuple(each.to_world() for each in scenario.obstacles)
-        ahead = [each.position[0] - ego.position[0] for each in obstacles if each.position[0] > ego.position[0]]
+        places = [float(each.position_at(0.0)[0]) - ego.position[0] for each in obstacles]
+        ahead = [place for place in places if place > 0]
         if not ahead:
             raise InputError("obstacles: none is ahead; a limit needs one at a larger X than ego.position")
         road, friction = scenario.road.to_world(), scenario.road.friction
@@ -67,8 +72,27 @@ class Scene:
 
     @property
     def slowest(self) -> float:
-        """The smallest speed along X that an obstacle begins with, no less than standstill [m/s]."""
-        return max(0.0, min(each.velocity[0] for each in self.obstacles))
+        """The smallest speed along X that an obstacle comes to, no less than standstill [m/s]."""
+        return max(0.0, self._slowest)
+
+    @property
+    def closing(self) -> float:
+        """The largest speed at which an obstacle is neared, no less than walking pace [m/s]."""
+        return max(self.speed - self._slowest, WALKING)
+
+    @property
+    def time_aside(self) -> float:
+        """How long a point mass takes to go aside by `room`, sqrt(2 w / (mu g)) [s]."""
+        return sqrt(2 * self.room / self.grip)
+
+    @property
+    def is_oncoming(self) -> bool:
+        """Whether an obstacle comes towards the vehicle, so that none can stay behind it."""
+        return self._slowest < 0
+
+    @property
+    def _slowest(self) -> float:
+        return min(float(each.velocity_at(FORESEEN)[:, 0].min()) for each in self.obstacles)
 
     @property
     def room(self) -> float:
@@ -79,25 +103,26 @@ class Scene:
     @property
     def depth(self) -> float:
         """From the first obstacle's centre ahead to where the vehicle is past them all, standing still [m]."""
-        ends = [each.position[0] + float(reach(each, AHEAD)[0]) for each in self.obstacles]
+        ends = [float(each.position_at(0.0)[0] + reach(each, AHEAD)[0]) for each in self.obstacles]
         return max(ends) - float(self.start[4]) - self.distance + float(self.footprint.support(AHEAD)[1])
 
-    def grip(self, friction: float) -> float:
-        """Largest acceleration [m/s^2] of a point mass at `friction` [1]."""
-        return friction * GRAVITY
+    @property
+    def grip(self) -> float:
+        """Largest acceleration of a point mass, mu g [m/s^2]."""
+        return self.friction * GRAVITY
 
     def at(self, distance: float) -> "Scene":
         """The same scene with all obstacles shifted so that the first is at `distance` [m]."""
         shift = distance - self.distance
-        moved = tuple(replace(each, position=(each.position[0] + shift, each.position[1])) for each in self.obstacles)
-        return replace(self, obstacles=moved, distance=distance)
+        return replace(self, obstacles=tuple(shifted(each, shift) for each in self.obstacles), distance=distance)
 
     def on(self, friction: float) -> "Scene":
         """The same scene on another friction [1]."""
         return replace(self, friction=friction)
 
 
-def reach(obstacle: Obstacle, directions: Array) -> Array:
-    """How far an obstacle reaches from its centre in each of (n, 2) unit directions of the world [m]."""
-    cos, sin = np.cos(obstacle.heading), np.sin(obstacle.heading)
+def reach(obstacle: Obstacle, directions: Array, time: float = 0.0) -> Array:
+    """How far an obstacle reaches from its centre at a time [s] in each of (n, 2) unit directions of the world [m]."""
+    heading = obstacle.heading_at(time)
+    cos, sin = np.cos(heading), np.sin(heading)
     return obstacle.shape.support(directions @ np.array([[cos, -sin], [sin, cos]]))

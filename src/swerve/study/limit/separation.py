@@ -15,7 +15,8 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.world import Ellipse, Rectangle, Shape
+from swerve.conventions import PSI, X
+from swerve.world import Ellipse, Footprint, Obstacle, Rectangle, Shape
 
 Array = NDArray[np.float64]
 
@@ -79,3 +80,27 @@ def best_lines(shape: Shape, seen: Array, n_angles: int = 180) -> Array:
     rows = np.arange(len(seen))
     offsets = np.maximum(support[best], (support[best] + nearest[rows, best]) / 2)
     return np.column_stack((np.unwrap(angles[best]), offsets))
+
+
+def _seen_from(obstacle: Obstacle, footprint: Footprint, states: Array, times: Array) -> Array:
+    """The footprint's vertices (n, k, 2) at each of n states in the frame of an obstacle [m]."""
+    vertices, psi = footprint.outline(), states[:, PSI, np.newaxis]
+    in_world = states[:, np.newaxis, X:] + _arrays_turned(vertices, psi)
+    from_centre = in_world - obstacle.position_at(times)[:, np.newaxis]
+    return _arrays_turned(from_centre, -obstacle.heading_at(times)[:, np.newaxis])
+
+
+def gaps(obstacle: Obstacle, footprint: Footprint, states: Array, times: Array) -> tuple[Array, Array]:
+    """The best line (n - 1, 2) of each interval, and how far it parts both bodies [m], negative where it does not."""
+    seen = _seen_from(obstacle, footprint, states, times)
+    both = np.concatenate([seen[:-1], seen[1:]], axis=1)
+    lines = best_lines(obstacle.shape, both)
+    normals = np.column_stack((np.cos(lines[:, 0]), np.sin(lines[:, 0])))
+    nearest = np.einsum("nki,ni->nk", both, normals).min(axis=1)
+    return lines, nearest - obstacle.shape.support(normals)
+
+
+def _arrays_turned(vectors: Array, angle: Array) -> Array:
+    cos, sin = np.cos(angle), np.sin(angle)
+    x, y = vectors[..., 0], vectors[..., 1]
+    return np.stack((cos * x - sin * y, sin * x + cos * y), axis=-1)
