@@ -37,10 +37,11 @@ numbers: $(VENV)/.installed ## measure the tables and figures that the documenta
 library: $(VENV)/.installed ## write the documentation's page of the scenario library
 	$(BIN)/python docs/hooks/library.py > docs/library.md
 
-pictures: $(VENV)/.installed-dev $(VENV)/.browser ## photograph a run's report for the documentation
-	$(BIN)/swerve run paper --out build/pictures
+pictures: $(VENV)/.installed-dev $(VENV)/.browser ## photograph a run's report and the studio for the documentation
+	rm -rf build/pictures
+	for scenario in static-15.5 wet slower-lead paper; do $(BIN)/swerve run $$scenario --out build/pictures/$$scenario; done
 	mkdir -p docs/measured
-	$(BIN)/python docs/hooks/pictures.py build/pictures/report.html docs/measured
+	$(BIN)/python docs/hooks/pictures.py build/pictures docs/measured
 
 docs: $(VENV)/.installed-docs ## build the documentation into site/
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict

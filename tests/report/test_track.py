@@ -109,6 +109,15 @@ def test_lanes_and_edges_are_lines() -> None:
         np.testing.assert_allclose(drawn, places, atol=spacing / 2 + 0.06)
 
 
+def test_the_line_between_directions_is_another_one() -> None:
+    """It is neither an edge nor a line between lanes of one direction."""
+    lanes = ("road.lane_width=3.5", "road.lanes_left=2", "road.lanes_right=0", "road.lanes_oncoming=1")
+    rows, heights = _rows(track(made(*lanes, "obstacles=[]"), 80, ASCII))
+    drawn = {row.strip()[:1]: y for row, y in zip(rows, heights, strict=True) if len(set(row.strip())) == 1}
+    assert drawn[":"] == pytest.approx(5.25, abs=0.6)
+    assert drawn["-"] == pytest.approx(1.75, abs=0.6)
+
+
 def test_the_ruler_is_true() -> None:
     """A label of X stands where that X is: at the place of the obstacle that is there."""
     done = made("duration=3 s", "obstacles.0.position=[40, 3]", "obstacles.0.semi_axes=[0.5, 0.5]")

@@ -8,7 +8,8 @@ import pytest
 from swerve.scenario import Scenario, library_names, load
 from swerve.world import Rectangle, clearance
 
-QUIET = [name for name in library_names() if name in ("far-away", "beside-the-lane") or name.startswith("quiet-")]
+QUIET = [name for name in library_names() if name in ("far-away", "beside-the-lane") or "quiet" in name]
+STEERED_INTO = "driver-into-obstacle"  # its driver makes the threat: straight on there is none
 
 
 def straight_on(scenario: Scenario) -> float:
@@ -64,7 +65,7 @@ def test_variants_of_the_paper_s_differ_in_the_obstacle_s_place_alone(name: str,
     assert variant == paper.model_copy(update={"obstacles": (moved,), **about})
 
 
-@pytest.mark.parametrize("name", library_names())
+@pytest.mark.parametrize("name", [name for name in library_names() if name != STEERED_INTO])
 def test_a_threat_is_one_and_a_quiet_scene_is_none(name: str) -> None:
     """Straight on there is a contact in every scene but the quiet ones, which leave more than half a metre."""
     assert straight_on(load(name)) > 0.5 if name in QUIET else straight_on(load(name)) <= 0

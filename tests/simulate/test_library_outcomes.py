@@ -56,7 +56,7 @@ ANSWERS: Final = {
     "slalom": Answer(LEFT),
     "slalom-fast": Answer(LEFT),
     "both-lanes-blocked": Answer(BRAKE),
-    "both-lanes-blocked-late": Answer(BRAKE, impact_speed=19.0),  # full braking: 16.3, and 18.2 with lags
+    "both-lanes-blocked-late": Answer(ANY, impact_speed=19.0),  # full braking: 16.3, and 18.2 with lags
     "left-blocked": Answer(RIGHT),
     "right-blocked": Answer(LEFT),
     "wet-motorway": Answer(LEFT),
@@ -68,31 +68,20 @@ ANSWERS: Final = {
     "quiet-oncoming": Answer(QUIET),
     "quiet-overtaken": Answer(QUIET),
     "quiet-following": Answer(QUIET),
+    "driver-too-late": Answer(ANY),
+    "driver-into-obstacle": Answer(ANY),
+    "driver-is-right": Answer(QUIET),
+    "driver-lane-keeping-quiet": Answer(QUIET),
 }
-STOPS: Final = "full braking would be better than what it does where no plan of it is clear"
-TURNS: Final = "it waits, expecting the car to keep its direction, until braking is too late"
-PASSES: Final = "it touches the car in passing it, where braking alone would do"
-SIDE: Final = "it turns to the free side too late, after the blocked one"
+STOPS: Final = "under ice that it was not told of it neither stops nor passes; full braking would be the better choice"
+TURNS: Final = "it takes the wrong side of a car that drifts: what it expects of it changes too late"
 LATE: Final = "within 1.2 m of the last point to steer, found for the planar plant, without the actuators' lags"
 FAULTS: Final = {  # of the controller, not of the scenes, but for those too LATE: (scene, plant)
     ("static-15.5", "multibody"): LATE,
     ("static-16", "multibody"): LATE,
-    ("slalom", "planar"): SIDE,
-    ("both-lanes-blocked-late", "planar"): STOPS,
-    ("both-lanes-blocked-late", "multibody"): STOPS,
     ("split-friction", "multibody"): STOPS,
-    ("pedestrian-obstructed", "planar"): STOPS,
-    ("pedestrian-obstructed", "multibody"): STOPS,
+    ("oncoming-drift", "planar"): TURNS,
     ("oncoming-drift", "multibody"): TURNS,
-    ("turns-across", "planar"): TURNS,
-    ("turns-across", "multibody"): TURNS,
-    ("left-blocked", "multibody"): SIDE,
-    ("right-blocked", "multibody"): SIDE,
-    ("revealed-car", "multibody"): PASSES,
-    ("stopped-car-town", "multibody"): PASSES,
-    ("ccrs-50-il50", "multibody"): PASSES,
-    ("ccrb-50-il100", "multibody"): PASSES,
-    ("cut-in-50-10", "multibody"): PASSES,
 }
 PATCHED: Final = ("split-friction", "ice-patch")  # the planar plant has one friction for all wheels
 QUICK: Final = ("left-blocked", "stopped-car-motorway", "oncoming-overtaker", "slalom")  # beside the paper's own

@@ -19,6 +19,7 @@ COLOURS: Final = {  # ANSI's number of what is printed, by its part
     "bad": 31,
     "edge": 1,
     "lane": 2,
+    "oncoming": 1,
     "obstacle": 31,
     "path": 36,
 }
@@ -59,7 +60,8 @@ PLAIN: Final = Console()
 
 def _can_encode(stream: TextIO, charset: Charset) -> bool:
     try:
-        f"{charset.edge}{charset.obstacle}{charset.path}{charset.axis}".encode(stream.encoding or "ascii")
+        characters = (charset.edge, charset.oncoming, charset.obstacle, charset.path, charset.axis)
+        "".join(characters).encode(stream.encoding or "ascii")
     except (UnicodeEncodeError, LookupError):
         return False
     return True

@@ -35,6 +35,7 @@ class Charset:
     Attributes:
         edge: of the road.
         lane: between lanes.
+        oncoming: between the lanes of both directions.
         obstacle: a part of one.
         path: a part of the path.
         axis: of Y.
@@ -43,14 +44,23 @@ class Charset:
 
     edge: str
     lane: str
+    oncoming: str
     obstacle: str
     path: str
     axis: str
     is_fine: bool
 
 
-ASCII: Final = Charset("=", "-", "#", "*", "|", is_fine=False)
-UNICODE: Final = Charset("\N{BOX DRAWINGS HEAVY HORIZONTAL}", "-", "\N{FULL BLOCK}", "\u2812", "\u2502", is_fine=True)
+ASCII: Final = Charset("=", "-", ":", "#", "*", "|", is_fine=False)
+UNICODE: Final = Charset(
+    "\N{BOX DRAWINGS HEAVY HORIZONTAL}",
+    "-",
+    "\N{BOX DRAWINGS DOUBLE HORIZONTAL}",
+    "\N{FULL BLOCK}",
+    "\u2812",
+    "\u2502",
+    is_fine=True,
+)
 
 
 def track(run: Run, width: int, charset: Charset, paint: Paint = lambda part, text: text) -> str:
@@ -60,7 +70,7 @@ def track(run: Run, width: int, charset: Charset, paint: Paint = lambda part, te
         run: that is over.
         width: of the terminal [character].
         charset: what it is made of.
-        paint: what colours a part's characters: "edge", "lane", "obstacle" or "path".
+        paint: what colours a part's characters: "edge", "lane", "oncoming", "obstacle" or "path".
 
     Returns:
         The lines; "" where there is no room, or the vehicle went nowhere along X.
@@ -95,10 +105,11 @@ def _places(grid: Grid, road: Road, rows: Array, seen: list[Seen], charset: Char
     """What is in each place, by lines; what is drawn last counts."""
     n, m = grid.shape
     places = [[("", " ")] * m for _ in range(n)]
+    characters = {"edge": charset.edge, "lane": charset.lane, "oncoming": charset.oncoming}
     for y, name in _road_lines(road):
         i = grid.line(y)
         if i is not None:
-            places[i] = [(name, charset.lane if name == "lane" else charset.edge)] * m
+            places[i] = [(name, characters[name])] * m
     poses = np.column_stack([grid.centres.reshape(-1, 2), np.zeros(n * m)])
     for obstacle, time, _ in seen:
         is_touched = clearance(Rectangle(*grid.cell), poses, obstacle, np.full(n * m, time)) <= 0
@@ -114,7 +125,8 @@ def _road_lines(road: Road) -> list[tuple[float, str]]:
     if road.lane_width is None or road.left_edge is None or road.right_edge is None:
         return []
     n = road.lanes_left + road.lanes_right + 1
-    return [(road.right_edge + k * road.lane_width, "edge" if k in (0, n) else "lane") for k in range(n + 1)]
+    kinds = {n - road.lanes_oncoming: "oncoming", 0: "edge", n: "edge"}
+    return [(road.right_edge + k * road.lane_width, kinds.get(k, "lane")) for k in range(n + 1)]
 
 
 def _path(grid: Grid, rows: Array, charset: Charset) -> Mapping[tuple[int, int], str]:

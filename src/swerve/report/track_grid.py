@@ -82,7 +82,8 @@ def grid_over(road: Road, rows: Array, seen: list[Seen], width: int) -> Grid:
     for obstacle, time, gap in seen:
         if gap < NEAR:
             y = obstacle.position_at(time)[1]
-            leftwards = np.array([[np.sin(obstacle.heading), np.cos(obstacle.heading)]])  # as the obstacle sees it
+            heading = obstacle.heading_at(time)
+            leftwards = np.array([[np.sin(heading), np.cos(heading)]])  # as the obstacle sees it
             values += [y + obstacle.shape.support(leftwards)[0], y - obstacle.shape.support(-leftwards)[0]]
     low, high = float(min(values)), float(max(values))
     height = max(LINE, (high - low) / (TALLEST - 1))

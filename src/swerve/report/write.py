@@ -37,18 +37,27 @@ def write_run(run: Run, directory: Path, progress: Progress = lambda share: None
         OSError: they cannot be written; then the directory is as it was.
     """
     from swerve.report.figures import FIGURES, writers
+
+    return _write_all({**_record(run), **writers(FIGURES, run)}, directory, progress)
+
+
+def write_record(run: Run, directory: Path) -> list[Path]:
+    """Write a run as `write_run` does, without its figures, which take longer than all else."""
+    return _write_all(_record(run), directory, lambda share: None)
+
+
+def _record(run: Run) -> dict[str, Write]:
+    """All that a run's folder needs for being read back, and its report."""
     from swerve.report.page import write_page
     from swerve.report.tables import write_table
 
-    files: dict[str, Write] = {
+    return {
         "result.json": partial(_write_text, result_json(run.result) + "\n"),
         "scenario.toml": partial(_write_text, run.scenario.to_toml()),
         "motion.parquet": lambda path: write_table(run.log.motion, run, path),
         "steps.parquet": lambda path: write_table(run.log.steps, run, path),
         "report.html": partial(write_page, run),
-        **writers(FIGURES, run),
     }
-    return _write_all(files, directory, progress)
 
 
 def write_reproduction(

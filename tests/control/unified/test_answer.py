@@ -66,6 +66,17 @@ def test_a_side_is_that_of_a_plan_an_obstacle_shapes() -> None:
             assert plan.side is None
 
 
+def test_a_way_that_nothing_shapes_has_no_side() -> None:
+    """An obstacle in the path that is still too far to ask for anything has a way by its name, and no side."""
+    far = Obstacle(Ellipse((0.3, 0.3)), Steady((120.0, 0.0)))
+    fast = RUNNING * 1.5
+    calm = ("goal.speed=30 m/s",)
+    _, plan, memory = controller(*calm).step(seen(0.0, fast, far), controller(*calm).start())
+    assert memory.threats == (0,)
+    assert (plan.is_shaped, plan.side) == (False, None)
+    np.testing.assert_allclose(plan.inputs / [1, 1e3, 1e3, 1e3, 1e3], 0.0, atol=1e-3)
+
+
 def test_branches_are_where_they_go() -> None:
     """The first pose is the measured one, and the path that is drawn of the branch that is taken is the plan's."""
     for plan, (measurement, _, _) in answers():
@@ -132,7 +143,7 @@ def test_friction_use_is_the_friction_ellipses() -> None:
 
 
 def test_what_is_active_holds_the_plan() -> None:
-    """Names are those of limits and inputs; an input that is named is at its limit; on an empty road none is an obstacle."""
+    """Names are those of limits and inputs; an input that is named is at its limit; an empty road has no obstacle."""
     known = {"slip", "lane", "left edge", "right edge", "steering lock", *(f"obstacle {i}" for i in range(2))}
     known |= {f"force {wheel}" for wheel in ("fl", "fr", "rl", "rr")}
     seen_names = set()

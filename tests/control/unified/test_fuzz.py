@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from swerve.control.plan import Fallback, Plan
+from swerve.control.plan import Fallback
 from swerve.report.fuzz import as_markdown
 from swerve.scenario import load
 from swerve.study.fuzz import Fault, Fuzz, fuzz, measurement
@@ -61,8 +61,7 @@ def test_what_is_wrong_is_found(u: list[float], wrong: str | None) -> None:
     """Each limit by itself; a front wheel at rest carries 4508 N, of which 0.95 mu is 3640 N."""
     scenario = load("paper")
     held = Held(np.zeros(5), static_loads(scenario))
-    plan = Plan(0.0, np.zeros((20, 5)), np.zeros((0, 6)))
-    assert Limits.of(scenario).fault(np.array(u), held, plan) == wrong
+    assert Limits.of(scenario).fault(np.array(u), held) == wrong
 
 
 def test_the_table_tells_what_was_wrong() -> None:

@@ -1,5 +1,7 @@
 """The limits beside the obstacles: prices, slip angles, the input box, the steering rate."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -76,12 +78,21 @@ def footprint_ends(footprint: Footprint, poses: np.ndarray) -> tuple[np.ndarray,
 
 
 @settings(max_examples=30)
-@given(seeds, st.sampled_from([Point(), CAR]), st.sampled_from(SIDES), st.floats(-3.0, 3.0))
+@given(
+    seeds,
+    st.sampled_from([Point(), CAR]),
+    st.sampled_from(SIDES),
+    st.floats(-3.0, 3.0),
+    st.sampled_from([0.0, 0.8, 2.0, np.pi, -2.0]),
+)
 def test_an_edge_is_missed_by_the_corner_that_is_furthest_out(
-    seed: int, footprint: Footprint, side: Side, edge: float
+    seed: int, footprint: Footprint, side: Side, edge: float, heading: float
 ) -> None:
-    """The violation is what the margin lacks between the edge and the outermost corner, at any pose but the first."""
+    """The violation is what the margin lacks between the edge and the outermost corner, at any pose but the first,
+    whichever way the vehicle points.
+    """
     trajectory, _, _ = random_roll_out(seed)
+    trajectory = replace(trajectory, poses=trajectory.poses + np.array([0.0, 0.0, heading]))
     found = RoadEdge(side, edge, footprint, 0.1, Penalty(1.0, 1.0))
     lowest, highest = (each[1:] for each in footprint_ends(footprint, trajectory.poses))
     room = edge - highest if side is Side.LEFT else lowest - edge

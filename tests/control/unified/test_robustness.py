@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -55,8 +56,11 @@ def test_a_burst_at_any_time_is_survived(first: int) -> None:
     assert np.isfinite(done.log.motion["Y"]).all()
 
 
-@pytest.mark.parametrize("controller", CONTROLLERS)
-@pytest.mark.parametrize("kind", SPOILED)
+@pytest.mark.parametrize(
+    ("controller", "kind"),
+    # what a driver asked for a while ago is still the best guess of what a driver asks for
+    [each for each in product(CONTROLLERS, SPOILED) if each != ("driver", "late")],
+)
 def test_every_kind_is_counted(controller: str, kind: str) -> None:
     """With every third measurement bad, every third step is a fallback, of every controller."""
     done = run(load("paper", SHORT), controller, "planar", sense=spoiled(lambda k: k % 3 == 1, SPOILED[kind]))
@@ -89,7 +93,7 @@ def test_noise_from_a_broken_sensor_is_no_exception(controller: str) -> None:
     assert np.isfinite(done.log.motion["X"]).all()
 
 
-@pytest.mark.parametrize("controller", CONTROLLERS)
+@pytest.mark.parametrize("controller", ["unified", "as-printed"])  # those that solve programs
 def test_a_solver_that_never_answers_is_no_exception(controller: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """With a solver that fails every time the run goes through, every step a fallback and every failure counted."""
     from swerve.qp import Solution

@@ -102,6 +102,14 @@ def test_the_goal_is_where_the_path_goes() -> None:
     assert threats(car(60.0, LANE), car(60.0, 0.0)) == (1,)
 
 
+@pytest.mark.parametrize(("speed", "distance"), [(20.0, 80.0), (30.0, 150.0), (40.0, 230.0)])
+def test_it_looks_as_far_as_a_stop_takes(speed: float, distance: float) -> None:
+    """The faster it is, the further ahead something is in the path, with time to react."""
+    state = RUNNING * speed / 20
+    assert threats(car(distance, 0.0), state=state) == (0,)
+    assert threats(car(distance + 2 * speed, 0.0), state=state) == ()
+
+
 def test_the_first_to_be_met_comes_first() -> None:
     """Threats are in the order in which they are met, not in that of the measurement."""
     assert threats(car(60.0, 0.0), car(20.0, 0.5), car(40.0, -0.3)) == (1, 2, 0)

@@ -94,6 +94,18 @@ def test_lanes_are_drawn() -> None:
         assert (picture[row - 2 : row + 3, 200:800].min(axis=0) < 60).all()
 
 
+def test_the_line_between_directions_is_double() -> None:
+    """Where traffic comes the other way there are two dark rows beside each other, and none between them."""
+    done = made("road.lane_width=3.5", "road.lanes_left=1", "road.lanes_oncoming=1", "obstacles=[]")
+    picture = next(Frames.of(done).draw())
+    middle = (1 - PANEL[1] - PANEL[3] / 2) * SIZE[1]
+    column = picture[:, 700].max(axis=1)
+    first, second = (round(middle - (1.75 + half) * SCALE) for half in (0.15, -0.15))
+    assert column[first - 1 : first + 2].min() < 120
+    assert column[second - 1 : second + 2].min() < 120
+    assert column[round((first + second) / 2)] > 200
+
+
 def _lasting(duration: float) -> Run:
     """A run whose second lasted longer [s]."""
     motion = made().log.motion

@@ -136,7 +136,7 @@ def test_an_export_needs_a_folder(tmp_path: Path, capsys: Outputs) -> None:
         assert captured.err.startswith(f"swerve: error: {message}")
 
 
-@pytest.mark.parametrize("name", [name for name in FORMATS if name != "mp4"])
+@pytest.mark.parametrize("name", [name for name in FORMATS if name not in ("mp4", "gif")])  # gif is webp's writer
 def test_a_full_disk_leaves_no_half_file(folder: Path, tmp_path: Path, name: str) -> None:
     """Where no file may grow beyond a thousand bytes, there is one line and status 2, and no file of the export."""
     pytest.importorskip("resource", reason="limits on files are those of POSIX")

@@ -36,9 +36,9 @@ def test_the_log_comes_back_from_csv(tmp_path: Path, name: str) -> None:
 
 
 def test_there_are_empty_fields_and_words() -> None:
-    """The run of the test above has what it says: steps with a cost that is nan, and words."""
+    """The run of the test above has what it says: steps with a friction use that is nan, and words."""
     steps = made(FAILING).log.steps
-    assert np.isnan(steps["cost_left"]).any()
+    assert np.isnan(steps["friction_use_fl"]).any()
     assert any(steps["fallback"])
 
 

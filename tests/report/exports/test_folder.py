@@ -69,9 +69,15 @@ def _motion(**columns: np.ndarray) -> Callable[[Path], object]:
     return lambda folder: write_table(with_motion(made(), **columns).log.motion, made(), folder / "motion.parquet")
 
 
-def _without(name: str) -> Callable[[Path], object]:
+def _ways(text: str) -> Callable[[Path], object]:
+    steps = made().log.steps
+    columns = {**steps.columns, "branches": np.full(len(steps["time"]), text)}
+    return lambda folder: write_table(Table(columns, steps.units), made(), folder / "steps.parquet")
+
+
+def _without(name: str, file: str = "motion.parquet") -> Callable[[Path], object]:
     def change(folder: Path) -> None:
-        path = folder / "motion.parquet"
+        path = folder / file
         pyarrow.parquet.write_table(pyarrow.parquet.read_table(path).drop_columns([name]), path)
 
     return change
@@ -128,6 +134,12 @@ DAMAGES = {
     "another's Parquet": (_foreign, "steps.parquet: has another version than result.json; "),
     "no X": (_without("X"), r"motion.parquet: column X \[m\] is missing; make the run again"),
     "X in feet": (_in_feet, r"motion.parquet: column X \[m\] is in ft; "),
+    "no ways": (_without("branches", "steps.parquet"), r"steps.parquet: column branches \[\] is missing; make the run"),
+    "ways that are none": (
+        _ways("[1]"),
+        "steps.parquet: column branches, row 0: is no list of ways; make the",
+    ),
+    "ways that are no JSON": (_ways("[{"), "steps.parquet: column branches, row 0: is no list of ways; "),
     "a column of lists": (_nested, "motion.parquet: column lists holds neither numbers nor words; "),
     "time goes back": (_motion(time=made().log.motion["time"][::-1]), "motion.parquet: column time does not ascend"),
     "time is none": (_motion(time=made().log.motion["time"] * nan), "motion.parquet: column time does not ascend"),

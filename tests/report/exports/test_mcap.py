@@ -15,7 +15,7 @@ from swerve.report.exports.mcap_file import write_mcap
 from swerve.scenario import parse
 from swerve.simulate import Outcome, Run
 from tests.report.exports.folders import diverged
-from tests.report.runs import FAILING, MOST_SHOWN, made
+from tests.report.runs import FAILING, MOST_SHOWN, ONCOMING, made
 
 Json = dict[str, Any]
 
@@ -118,6 +118,27 @@ def test_bodies_move_as_in_the_run(tmp_path: Path) -> None:
         assert (resting["translation"]["x"], resting["translation"]["y"]) == (20.0, 0.2)
         assert _yaw(resting["rotation"]) == pytest.approx(np.radians(6), abs=1e-12)
         assert (oncoming["translation"]["x"], oncoming["translation"]["y"]) == pytest.approx((45 - 5 * row[0], 3.5))
+
+
+def test_obstacles_turn_as_they_go(tmp_path: Path) -> None:
+    """An obstacle along way-points, one that brakes and one that waits are at each time where and as they are."""
+    done = made(*ONCOMING)
+    obstacles = [each.to_world() for each in done.scenario.obstacles]
+    for time, message in Recording(done, tmp_path).messages["/tf"][::100]:
+        for obstacle, frame in zip(obstacles, message["transforms"][1:], strict=True):
+            place = [frame["translation"][axis] for axis in "xy"]
+            assert place == pytest.approx(obstacle.position_at(time * 1e-9), abs=1e-9)
+            expected = obstacle.heading_at(time * 1e-9)
+            assert np.cos(_yaw(frame["rotation"]) - expected) == pytest.approx(1.0)
+
+
+def test_the_line_between_directions_is_solid(tmp_path: Path) -> None:
+    """Edges and the line before oncoming lanes are lines, what is between other lanes is dashed."""
+    done = made("road.lane_width=3.5", "road.lanes_left=2", "road.lanes_oncoming=1", "obstacles=[]")
+    ((_, update),) = Recording(done, tmp_path).messages["/scene"]
+    lines = {each["id"]: each["lines"] for each in update["entities"]}["road"]
+    kinds = {(line["type"], line["points"][0]["y"]) for line in lines}
+    assert kinds == {(0, -1.75), (0, 8.75), (0, 5.25), (2, 1.75)}
 
 
 def test_the_scene_has_all_bodies_in_their_sizes(tmp_path: Path) -> None:

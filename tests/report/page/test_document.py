@@ -2,20 +2,28 @@
 
 import json
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from swerve.conventions import GRAVITY
 from swerve.report import result_json
+from swerve.report.exports.folder import read_run_folder
 from swerve.report.page.data import document, names
 from swerve.report.page.motion import MOST_ROWS, Motion, friction_under, friction_use
+from swerve.report.page.obstacles import obstacles_in_words
 from swerve.report.page.page import embedded
 from swerve.report.page.plans import MOST_POINTS
+from swerve.report.page.scene import scene_json
+from swerve.scenario import load
+from swerve.scenario.obstacle import ObstacleSettings
 from swerve.simulate import Log, Run, Table
 from swerve.simulate.result import Divergence
 from swerve.vehicle import vehicle_named
 from swerve.world import Friction
+from tests.report.exports.folders import write_folder
 from tests.report.page.ways import with_ways
 from tests.report.runs import FAILING, MOST_SHOWN, made
 
@@ -99,12 +107,60 @@ def test_every_step_has_its_ways() -> None:
     plans = document([done])["cars"][0]["plans"]
     assert len(plans) == len(done.plans)
     for shown, plan in zip(plans, done.plans, strict=True):
+        assert shown["branches"][shown["taken"]]["name"] == plan.name
         assert [branch["name"] for branch in shown["branches"]] == [branch.name for branch in plan.branches]
         for branch, tried in zip(shown["branches"], plan.branches, strict=True):
             path = np.reshape(branch["path"], (-1, 3))
             assert 2 <= len(path) <= MOST_POINTS
             np.testing.assert_allclose(path[[0, -1]], tried.poses[[0, -1]], atol=6e-3)
             assert branch["cost"] == tried.cost
+
+
+def test_a_run_from_its_files_has_all_but_paths(tmp_path: Path) -> None:
+    """What is read back tells each step's decision as the run itself did; where the ways led is not in the log."""
+    done = with_ways(duration="1 s")
+    (made_now,) = document([done])["cars"]
+    (read_back,) = document([read_run_folder(write_folder(done, tmp_path))])["cars"]
+    for each in made_now["plans"]:
+        each |= {"path": [], "taken": None, "branches": [{**branch, "path": []} for branch in each["branches"]]}
+    assert read_back == made_now
+
+
+MOVING = (
+    ({"position": [30, 1], "velocity": [0, 0]}, "at (30, 1) m, at rest"),
+    ({"position": [30, 0], "velocity": [10, 0], "name": "van"}, "at (30, 0) m, at 36 km/h"),
+    (
+        {"position": [30, 0], "velocity": [20, 0], "acceleration": [-6, 0], "accelerates_at": 1, "final_speed": 5},
+        "at (30, 0) m, at 72 km/h, brakes with 6 m/s² from 1 s on to 18 km/h",
+    ),
+    ({"position": [30, 0], "acceleration": [3, 0]}, "at (30, 0) m, at rest, accelerates with 3 m/s²"),
+    (
+        {"position": [30, -4], "velocity": [0, 1.5], "moves_at": 0.8},
+        "at (30, -4) m, at rest until 0.8 s, then at 5.4 km/h",
+    ),
+    (
+        {"waypoints": [{"time": t, "position": [20 + 10 * t, 3.5 - t]} for t in (0, 1, 3)]},
+        "from (20, 3.5) m at 0 s through 1 more to (50, 0.5) m at 3 s",
+    ),
+)
+
+
+@pytest.mark.parametrize(("keys", "words"), MOVING)
+def test_an_obstacle_s_motion_is_told(keys: dict[str, Any], words: str) -> None:
+    """Each kind of motion has its words, behind name, shape and size."""
+    obstacle = ObstacleSettings.model_validate({**keys, "size": [4, 1.8]})
+    name = f"{keys['name']}, " if "name" in keys else ""
+    assert obstacles_in_words([obstacle]) == f"{name}box 4 m \N{MULTIPLICATION SIGN} 1.8 m {words}"
+
+
+def test_oncoming_lanes_have_a_line_of_their_own() -> None:
+    """The line between the directions is told apart from those between lanes."""
+    scenario = load(
+        "paper", ["road.lane_width=3.5", "road.lanes_left=2", "road.lanes_right=1", "road.lanes_oncoming=1"]
+    )
+    road = scene_json([scenario], 1.0)["road"]
+    assert road == {"edges": [-5.25, 8.75], "lines": [-1.75, 1.75], "oncoming": 5.25}
+    assert scene_json([load("paper")], 1.0)["road"]["oncoming"] is None
 
 
 def test_a_run_that_diverged_is_shown_up_to_there() -> None:

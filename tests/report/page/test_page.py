@@ -10,9 +10,10 @@ from typing import Any
 
 import pytest
 
-from swerve.report import result_json, write_run
+from swerve.report import result_json
 from swerve.report.page import write_comparison, write_page
-from tests.report.page.ways import with_ways
+from swerve.report.write import write_record
+from tests.report.page.ways import busy, with_ways
 from tests.report.runs import made
 
 EVIL = "x</title><script>window.evil=1</script><img src=x onerror=window.evil=1>"
@@ -264,9 +265,48 @@ def test_the_decision_is_told(report: Path, opened: Open) -> None:
     """At an instant the ways that were tried are listed with their costs, the one that was taken marked."""
     page = opened(report, "#t=0.3")
     rows = page.locator("#decision tbody tr").all_text_contents()
-    assert len(rows) == 4
-    assert sum("✓" in each for each in rows) == 1
-    assert "Active limits: obstacle 0." in page.locator("#decision").text_content()
+    tried = with_ways().plans[6]
+    assert len(rows) == len(tried.branches) == 3
+    assert [each.split(" ✓")[0] for each in rows if "✓" in each] == [tried.name]
+    assert f"Active limits: {', '.join(tried.active)}." in page.locator("#decision").text_content()
+    assert "Friction asked for: " in page.locator("#decision").text_content()
+
+
+def test_ways_not_taken_are_seen(report: Path, opened: Open) -> None:
+    """Each way has its name, one that touches an obstacle is marked and tells the speed; a box hides them."""
+    page = opened(report, "#t=0.3")
+    page.evaluate(
+        """() => { window.written = []; const write = CanvasRenderingContext2D.prototype.fillText;
+        CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+            if (this.canvas.id === "view") written.push(text);
+            return write.call(this, text, ...rest);
+        }; Report.player.draw(); }"""
+    )
+    tried = with_ways().plans[6]
+    words = {
+        each.name if each.impact_speed is None else f"✕ {each.name}, {3.6 * each.impact_speed:.0f} km/h"
+        for each in tried.branches
+    }
+    assert words <= set(page.evaluate("written"))
+    before = _ink(page, "view")
+    page.locator("#layer-branches").uncheck()
+    page.evaluate("() => { written.length = 0; Report.player.draw(); }")
+    assert set(page.evaluate("written")) & words == {tried.name}
+    assert _ink(page, "view") != before
+
+
+def test_the_reason_is_under_the_band(report: Path, opened: Open) -> None:
+    """Below the band stands the decision of the instant that is shown, or pointed at, and why."""
+    page = opened(report, "#t=0.3")
+    tried = with_ways().plans[6]
+    line = page.locator("#reason").text_content()
+    assert line == f"0.30 s  ·  {tried.name}: {tried.reason}; held by {', '.join(tried.active)}"
+    over = page.locator("#band .u-over")
+    over.scroll_into_view_if_needed()
+    box = over.bounding_box()
+    page.mouse.move(box["x"] + 0.9 * box["width"], box["y"] + 15)
+    assert _time(page) == pytest.approx(2.7, abs=0.02)
+    assert page.locator("#reason").text_content().endswith("keep: the only way")
 
 
 def test_it_prints(report: Path, opened: Open) -> None:
@@ -291,8 +331,9 @@ def test_a_comparison_has_every_car(tmp_path: Path, opened: Open) -> None:
 
 
 def test_ten_seconds_are_written_in_two(tmp_path: Path) -> None:
-    """The page of a run of ten seconds is written in two seconds and has at most 3 MB."""
-    done = with_ways(duration="10 s")
+    """The page of ten seconds, with four ways in each step, is written in two seconds and has at most 3 MB."""
+    done = busy(with_ways(duration="10 s"))
+    assert min(len(plan.branches) for plan in done.plans) == 4
     began = time.perf_counter()
     write_page(done, tmp_path / "report.html")
     assert time.perf_counter() - began <= 2.0
@@ -301,7 +342,7 @@ def test_ten_seconds_are_written_in_two(tmp_path: Path) -> None:
 
 def test_a_run_s_files_have_the_page(tmp_path: Path) -> None:
     """Beside result and log is the page, of the same numbers."""
-    write_run(made(), tmp_path)
+    write_record(made(), tmp_path)
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
     (embedded,) = re.findall(r'<script type="application/json" id="document">(.*?)</script>', text, re.DOTALL)
     assert json.loads(embedded)["cars"][0]["result"] == json.loads((tmp_path / "result.json").read_text())

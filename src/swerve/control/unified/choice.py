@@ -41,14 +41,17 @@ class Candidate:
     is_leaving: bool = False
 
     @property
-    def faults(self) -> tuple[bool, bool, bool]:
-        """Whether it is not clear, whether it leaves the road, and whether the lane: the worst one first."""
-        return self.plan.violation > CLEAR, self.plan.off_road > ON_ROAD, self.leaves_lane
+    def faults(self) -> tuple[int, bool, bool]:
+        """Whether it is clear (0), nearly (1) or not (2), leaves the road, and, where it is clear, the lane."""
+        missed = self.plan.violation
+        grade = 0 if missed <= CLEAR else 1 if missed <= NEARLY else 2
+        return grade, self.plan.off_road > ON_ROAD, grade == 0 and self.leaves_lane
 
     @property
-    def grave_faults(self) -> tuple[bool, bool, bool]:
+    def grave_faults(self) -> tuple[int, bool, bool]:
         """The same, but for what the next steps may still mend, and for a lane that is being left already."""
-        return self.plan.violation > NEARLY, self.plan.off_road > NEARLY, self.leaves_lane and not self.is_leaving
+        grade = 0 if self.plan.violation <= NEARLY else 2
+        return grade, self.plan.off_road > NEARLY, grade == 0 and self.leaves_lane and not self.is_leaving
 
     @property
     def severity(self) -> float:
@@ -84,9 +87,9 @@ def choose(candidates: Sequence[Candidate], committed: Candidate | None, commitm
     if committed is None or best is committed:
         return Choice(best, _why(best, candidates))
     if best.faults < committed.grave_faults:
-        what = FAULTS[committed.grave_faults.index(True)]
+        what = next(word for word, fault in zip(FAULTS, committed.grave_faults, strict=True) if fault)
         return Choice(best, f"the way so far, {committed.plan.way.name}, {what}")
-    if best.plan.way.is_straight and best.faults < committed.faults:
+    if best.plan.way.is_straight and best.faults[0] == 0 < committed.faults[0]:
         return Choice(best, f"the way so far, {committed.plan.way.name}, hardly goes, and there is room to stop")
     if best.faults <= committed.faults and _is_much_cheaper(best, committed, commitment):
         return Choice(best, f"costs less than {commitment:.0%} of the way so far, {committed.plan.way.name}")

@@ -80,7 +80,7 @@ def improve(plan: WayPlan, iterations: int) -> WayPlan:
             break
         taken = accept(step, blocking.spread(solution.x[: blocking.n]), promise, situation.roll_out)
         plan = replace(plan, step=taken, trust=_resized(plan.trust, taken.length))
-        if taken.length > 0 and step.merit - taken.merit < CONVERGED * (1 + taken.merit):
+        if taken.length == 1 and step.merit - taken.merit < CONVERGED * (1 + taken.merit):
             break
     return plan
 

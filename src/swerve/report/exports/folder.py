@@ -11,9 +11,10 @@ import pyarrow.parquet
 from pydantic import TypeAdapter, ValidationError
 
 from swerve import __version__
-from swerve.conventions import STATE_UNITS, STATES
+from swerve.conventions import STATE_UNITS, STATES, WHEELS
 from swerve.errors import InputError, one_line, shown_path
 from swerve.report.tables import CONTROLLER, PLANT, SCENARIO, SEED, UNIT, VERSION
+from swerve.report.tried import TRIED
 from swerve.scenario import Scenario, load, parse
 from swerve.simulate import Log, Run, Table
 from swerve.simulate.result import Result
@@ -22,9 +23,11 @@ FILES: Final = ("result.json", "scenario.toml", "motion.parquet", "steps.parquet
 CURE: Final = "write a folder that `swerve run --out` filled"
 AGAIN: Final = "make the run again"
 LARGEST_RESULT: Final = 100_000  # [byte]
+WORDS: Final = ("branch", "reason", "branches", "active", "fallback")  # columns of the decision
+USES: Final = {f"friction_use_{wheel}": "1" for wheel in WHEELS}
 NEEDED: Final = {  # columns, each with its unit, without which nothing can be shown
     "motion.parquet": {"time": "s", **dict(zip(STATES, STATE_UNITS, strict=True)), "delta": "rad"},
-    "steps.parquet": {"time": "s"},
+    "steps.parquet": {"time": "s", "delta": "rad", "step_time": "s", **dict.fromkeys(WORDS, ""), **USES},
 }
 
 
@@ -44,14 +47,19 @@ def read_run_folder(directory: Path) -> Run:
     if missing:
         fault = f"has no {missing[0]}" if directory.is_dir() else "there is no such folder"
         raise InputError(f"{shown_path(directory)}: is no run's folder: {fault}; {CURE}")
-    result = _result(directory / "result.json")
+    result = read_result(directory / "result.json")
     scenario = load(directory / "scenario.toml")
     motion, steps = (_table(directory / name, result, scenario) for name in FILES[2:])
+    _check_branches(directory / "steps.parquet", steps)
     return Run(scenario, Log(motion, steps), (), result)
 
 
-def _result(path: Path) -> Result:
-    """The result in its JSON; a number that is null there is nan again where its type has no None."""
+def read_result(path: Path) -> Result:
+    """The result in its JSON file; a number that is null there is nan again where its type has no None.
+
+    Raises:
+        InputError: it cannot be read, is broken, or another version's.
+    """
     try:
         with path.open("rb") as stream:
             values = json.loads(stream.read(LARGEST_RESULT))
@@ -117,6 +125,15 @@ def _check_run(path: Path, metadata: Mapping[bytes, bytes], result: Result, scen
             raise InputError(f"{shown_path(path)}: has another {what} than result.json; {CURE}")
     if parse(metadata.get(SCENARIO, b""), shown_path(path)) != scenario:
         raise InputError(f"{shown_path(path)}: was recorded in another scenario than scenario.toml; {CURE}")
+
+
+def _check_branches(path: Path, steps: Table) -> None:
+    """Whether the ways that were tried in each step can be read."""
+    for k, text in enumerate(steps["branches"].tolist()):
+        try:
+            TRIED.validate_json(str(text))
+        except ValidationError as error:
+            raise InputError(f"{shown_path(path)}: column branches, row {k}: is no list of ways; {AGAIN}") from error
 
 
 def _column(path: Path, name: str, values: "pyarrow.ChunkedArray") -> np.ndarray[Any, np.dtype[np.generic]]:

@@ -95,16 +95,17 @@ def _obstacle(scenario: Scenario, i: int) -> Json:
 
 
 def _road_lines(scenario: Scenario, path: Array) -> list[Json]:
-    """Both edges, and dashes between the lanes; none where the road has no edges."""
+    """Both edges, a line between the directions, and dashes between lanes; none where the road has no edges."""
     road = scenario.road.to_world()
     if road.lane_width is None or road.left_edge is None or road.right_edge is None:
         return []
+    solid = [road.left_edge, road.right_edge, *([] if road.oncoming_edge is None else [road.oncoming_edge])]
     start, end = path[:, 0].min() - BEYOND, path[:, 0].max() + BEYOND
-    edges = [np.array([[start, y], [end, y]]) for y in (road.left_edge, road.right_edge)]
+    edges = [np.array([[start, y], [end, y]]) for y in solid]
     begins = np.arange(start, end, DASH + GAP)
     ends = np.column_stack([begins, begins + DASH]).ravel()
     between = [road.right_edge + k * road.lane_width for k in range(1, road.lanes_left + road.lanes_right + 1)]
-    dashes = [np.column_stack([ends, np.full_like(ends, y)]) for y in between]
+    dashes = [np.column_stack([ends, np.full_like(ends, y)]) for y in between if not np.isclose(y, solid).any()]
     return [_line(LINE_STRIP, each, WHITE) for each in edges] + [_line(LINE_LIST, each, WHITE) for each in dashes]
 
 

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from swerve.report.figures.body import bodies, wheels
 from swerve.report.figures.style import BLACK, BLUE, GREY, ORANGE, SKY, caption, styled
+from swerve.report.figures.top_view import DOUBLE_LINE
 from swerve.report.figures.view import FARTHEST, outline
 from swerve.simulate import Run
 
@@ -116,12 +117,17 @@ class _Stage:
 
 def _draw_road(axes: Axes, run: Run) -> None:
     road = run.scenario.road.to_world()
-    if road.lane_width is None or road.left_edge is None or road.right_edge is None:
+    if road.lane_width is None:
         return
-    for edge in (road.left_edge, road.right_edge):
-        axes.axhline(edge, color=BLACK, linewidth=1.8, zorder=1)
-    for k in range(1, road.lanes_left + road.lanes_right + 1):
-        axes.axhline(road.right_edge + k * road.lane_width, color=GREY, linewidth=1, dashes=(10, 8), zorder=1)
+    lines = [(k + 0.5) * road.lane_width for k in range(-road.lanes_right - 1, road.lanes_left + 1)]
+    for y in lines:
+        if y in (lines[0], lines[-1]):
+            axes.axhline(y, color=BLACK, linewidth=1.8, zorder=1)
+        elif y == road.oncoming_edge:
+            for half in (-DOUBLE_LINE / 2, DOUBLE_LINE / 2):
+                axes.axhline(y + half, color=BLACK, linewidth=0.9, zorder=1)
+        else:
+            axes.axhline(y, color=GREY, linewidth=1, dashes=(10, 8), zorder=1)
 
 
 def _add(axes: Axes, **style: Any) -> PolyCollection:

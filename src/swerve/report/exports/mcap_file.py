@@ -78,10 +78,10 @@ def _transforms(run: Run) -> list[tuple[str, float, dict[str, Any]]]:
     rows = motion.stack("time", "X", "Y", "psi")
     rows = rows[(np.abs(rows) < ABSURD).all(axis=1)]  # a run that diverged ends in others
     obstacles = [obstacle.to_world() for obstacle in run.scenario.obstacles]
-    places = [each.position_at(rows[:, 0]) for each in obstacles]
+    tracks = [np.column_stack([each.position_at(rows[:, 0]), each.heading_at(rows[:, 0])]) for each in obstacles]
     messages = []
     for i, (time, x, y, psi) in enumerate(rows.tolist()):
-        seen = [(f"obstacle_{k}", *places[k][i].tolist(), each.heading) for k, each in enumerate(obstacles)]
+        seen = [(f"obstacle_{k}", *track[i].tolist()) for k, track in enumerate(tracks)]
         messages.append(("/tf", time, transforms(time, [("ego", x, y, psi), *seen])))
     return messages
 

@@ -54,7 +54,7 @@ def _car(run: Run, name: str) -> dict[str, Any]:
         "closest": None if motion.closest is None else round(float(motion.time[motion.closest]), 5),
         "motion": motion.to_json(),
         "steps": steps_json(run),
-        "plans": plans_json(run.plans),
+        "plans": plans_json(run),
         "moments": moments(run, motion),
     }
 

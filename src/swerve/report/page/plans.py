@@ -1,56 +1,70 @@
-"""What the controller intended in each step, and what else it tried."""
+"""What the controller intended in each step, and what else it tried.
 
-from collections.abc import Sequence
+Words and numbers are those of the log. Paths are those of the plans, which a run that was read from its files has not.
+"""
+
+from math import isfinite
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control import Plan
-from swerve.conventions import PSI, X, Y
-from swerve.report.page.interim import plan_of
-from swerve.report.page.rounding import ANGLE, CENTIMETRE, TIME, rounded
+from swerve.conventions import PSI, WHEELS, X, Y
+from swerve.report.page.rounding import ANGLE, CENTIMETRE, SHARE, TIME, rounded
+from swerve.report.tried import TRIED, Tried
 from swerve.simulate import Run
 
 Array = NDArray[np.float64]
+Json = dict[str, Any]
 
 MOST_POINTS = 24  # of a path that is drawn
+NOWHERE = np.empty((0, 3))
 
 
-def steps_json(run: Run) -> dict[str, Any]:
+def steps_json(run: Run) -> Json:
     """Columns over the controller's steps: what was commanded, how long it took, what was decided."""
-    steps, plans = run.log.steps, [plan_of(plan) for plan in run.plans]
+    steps = run.log.steps
     return {
         "time": rounded(steps["time"], TIME),
         "delta": rounded(steps["delta"], 5),
         "step_time": rounded(steps["step_time"], 7),
-        "name": [plan.name for plan in plans],
-        "fallback": [plan.fallback.value if plan.fallback else "" for plan in plans],
+        "name": steps["branch"].tolist(),
+        "fallback": steps["fallback"].tolist(),
     }
 
 
-def plans_json(plans: Sequence[Plan]) -> list[dict[str, Any]]:
-    """Each step's plan and branches, with their paths as X, Y, psi, one after the other."""
-    return [_plan(plan_of(plan)) for plan in plans]
+def plans_json(run: Run) -> list[Json]:
+    """Each step's plan and the ways that were tried, with their paths as X, Y, psi, one after the other."""
+    steps = run.log.steps
+    uses = rounded(steps.stack(*(f"friction_use_{wheel}" for wheel in WHEELS)), SHARE)
+    plans = run.plans or (None,) * len(uses)
+    rows = zip(plans, uses, steps["reason"].tolist(), steps["active"].tolist(), steps["branches"], strict=True)
+    return [
+        {"reason": reason, "active": active, "use": use, **_paths(plan, TRIED.validate_json(tried))}
+        for plan, use, reason, active, tried in rows
+    ]
 
 
-def _plan(plan: Any) -> dict[str, Any]:
-    return {
-        "reason": plan.reason,
-        "active": list(plan.active),
-        "path": _path(plan.states[:, [X, Y, PSI]]),
-        "branches": [_branch(branch) for branch in plan.branches],
-    }
+def _paths(plan: Plan | None, tried: list[Tried]) -> Json:
+    """The way that is taken, by its place in the list, and where each one leads."""
+    if plan is None:
+        return {"path": [], "taken": None, "branches": [_branch(each, NOWHERE) for each in tried]}
+    own = plan.states[:, [X, Y, PSI]]
+    branches = [_branch(each, branch.poses) for each, branch in zip(tried, plan.branches, strict=True)]
+    return {"path": _path(own), "taken": _taken(plan, own), "branches": branches}
 
 
-def _branch(branch: Any) -> dict[str, Any]:
-    numbers = {"cost": branch.cost, "violation": branch.violation, "off_road": branch.off_road}
-    return {
-        "name": branch.name,
-        **{name: value if np.isfinite(value) else None for name, value in numbers.items()},
-        "impact_speed": branch.impact_speed,
-        "path": _path(branch.poses),
-    }
+def _taken(plan: Plan, own: Array) -> int | None:
+    """The way on whose path the plan ends; the name alone does not tell, as two ways may have the same one."""
+    through = (i for i, branch in enumerate(plan.branches) if (branch.poses == own[-1:]).all(axis=1).any())
+    return next((i for i in through if plan.branches[i].name == plan.name), None)
+
+
+def _branch(tried: Tried, poses: Array) -> Json:
+    told = {"cost": tried.cost, "violation": tried.violation, "off_road": tried.off_road}
+    numbers = {key: value if isfinite(value) else None for key, value in told.items()}
+    return {"name": tried.name, **numbers, "impact_speed": tried.impact_speed, "path": _path(poses)}
 
 
 def _path(poses: Array) -> list[float]:

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from swerve.report.page.interim import heading_at
 from swerve.report.page.rounding import ANGLE, MILLIMETRE, TIME, rounded
 from swerve.scenario import Scenario
 from swerve.world import Obstacle, Patch, Road
@@ -40,11 +39,12 @@ def _shared(scenario: Scenario) -> tuple[Any, ...]:
 
 
 def _road(road: Road) -> dict[str, Any]:
-    """Y of the edges and of the lines between lanes [m]; none on a surface without lanes."""
+    """Y of the edges, of the lines between lanes, and of the one between directions [m]; none without lanes."""
     if road.lane_width is None:
-        return {"edges": [], "lines": []}
+        return {"edges": [], "lines": [], "oncoming": None}
     marks = [(k + 0.5) * road.lane_width for k in range(-road.lanes_right - 1, road.lanes_left + 1)]
-    return {"edges": [marks[0], marks[-1]], "lines": marks[1:-1]}
+    lines = [each for each in marks[1:-1] if each != road.oncoming_edge]
+    return {"edges": [marks[0], marks[-1]], "lines": lines, "oncoming": road.oncoming_edge}
 
 
 def _patch(patch: Patch) -> dict[str, Any]:
@@ -56,7 +56,7 @@ def _patch(patch: Patch) -> dict[str, Any]:
 def _obstacle(obstacle: Obstacle, end: float) -> dict[str, Any]:
     """The outline in its own frame, and its pose over time; one at rest has a single row."""
     times = np.append(np.arange(0.0, end, EVERY), end)
-    positions, headings = obstacle.position_at(times), heading_at(obstacle, times)
+    positions, headings = obstacle.position_at(times), obstacle.heading_at(times)
     if np.ptp(positions, axis=0).max() == 0 and np.ptp(headings) == 0:
         times, positions, headings = times[:1], positions[:1], headings[:1]
     return {

@@ -1,18 +1,15 @@
 """A run in words: the verdict in one sentence, the scene, and the moments that matter."""
 
 from collections.abc import Iterator
-from math import hypot
 from typing import Any, Final
 
 import numpy as np
 
-from swerve.report.page.interim import plan_of
+from swerve.control.plan import KEEP
 from swerve.report.page.motion import Motion
-from swerve.scenario.surroundings import ObstacleSettings
+from swerve.report.page.obstacles import KM_H, TIMES, obstacles_in_words
 from swerve.simulate import Outcome, Run
 
-TIMES: Final = "\N{MULTIPLICATION SIGN}"
-KM_H: Final = 3.6  # [(km/h) / (m/s)]
 TITLES: Final = {
     Outcome.AVOIDED: "Avoided",
     Outcome.COLLIDED: "Collided",
@@ -78,7 +75,7 @@ def facts(run: Run) -> list[tuple[str, str]]:
     return [
         ("Vehicle", f"{ego.vehicle} at {ego.speed * KM_H:.4g} km/h, judged by its {_judged(ego.footprint)}"),
         ("Road", f"friction {road.friction:g}{' with patches' if road.patches else ''}, {lanes}"),
-        ("Obstacles" if len(scenario.obstacles) > 1 else "Obstacle", _obstacles(scenario.obstacles)),
+        ("Obstacles" if len(scenario.obstacles) > 1 else "Obstacle", obstacles_in_words(scenario.obstacles)),
         ("Goal", goal),
     ]
 
@@ -98,23 +95,10 @@ def _judged(footprint: str) -> str:
 
 
 def _lanes(run: Run) -> str:
-    n = run.scenario.road.lanes_left + run.scenario.road.lanes_right + 1
-    return f"{n} lane" if n == 1 else f"{n} lanes"
-
-
-def _obstacles(obstacles: tuple[ObstacleSettings, ...]) -> str:
-    return "; ".join(map(_obstacle, obstacles)) or "none"
-
-
-def _obstacle(obstacle: ObstacleSettings) -> str:
-    if obstacle.semi_axes is not None:
-        kind, size = "ellipse", tuple(2 * each for each in obstacle.semi_axes)
-    else:
-        kind, size = "box", obstacle.size or (0.0, 0.0)
-    speed = hypot(*obstacle.velocity)
-    motion = "at rest" if speed == 0 else f"at {speed * KM_H:.4g} km/h"
-    x, y = obstacle.position
-    return f"{kind} {size[0]:g} m {TIMES} {size[1]:g} m at ({x:g}, {y:g}) m, {motion}"
+    road = run.scenario.road
+    n = road.lanes_left + road.lanes_right + 1
+    oncoming = f", {road.lanes_oncoming} of them oncoming," if road.lanes_oncoming else ""
+    return f"{n} {'lane' if n == 1 else 'lanes'}{oncoming}"
 
 
 def moments(run: Run, motion: Motion) -> list[dict[str, Any]]:
@@ -125,14 +109,11 @@ def moments(run: Run, motion: Motion) -> list[dict[str, Any]]:
 
 def _decisions(run: Run) -> list[tuple[float, str]]:
     """Where the plan's name changes, and the first step of the fallback."""
-    plans = [plan_of(plan) for plan in run.plans]
-    times = run.log.steps["time"]
-    changes = [
-        (float(times[k]), f"plan: {plan.name}")
-        for k, plan in enumerate(plans)
-        if (plan.name != plans[k - 1].name if k else plan.name != "keep")
-    ]
-    failed = [float(times[k]) for k, plan in enumerate(plans) if plan.fallback]
+    steps = run.log.steps
+    times, names = steps["time"].tolist(), steps["branch"].tolist()
+    pairs = zip(times, [KEEP, *names], names, strict=False)
+    changes = [(time, f"plan: {name}") for time, before, name in pairs if name != before]
+    failed = [time for time, words in zip(times, steps["fallback"].tolist(), strict=True) if words]
     return changes[:MOST_CHANGES] + [(time, "first fallback") for time in failed[:1]]
 
 

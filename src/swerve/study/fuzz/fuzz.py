@@ -1,8 +1,8 @@
 """Many steps of the controller, each at a random measurement, with the memory of whatever came before.
 
 A step is wrong where it raises, where its command is not finite, or where it exceeds a limit: the steering lock, the
-steering rate, and for each wheel the share of the friction that a wheel force may take. That is taken at the measured
-loads; for a fallback, which follows the last plan or brakes, at those of that plan or at the static ones.
+steering rate, and for each wheel the share of the friction that a wheel force may take. That is taken at the loads
+of the last finite measurement, and at static ones before the first.
 """
 
 from collections import Counter
@@ -90,13 +90,13 @@ def _steps(settings: tuple[str, ...], random: np.random.Generator, n: int) -> It
         if random.random() < FORGETS:
             memory, held = controller.start(), start
         given = measurement(random, k * scenario.controller.sample_time)
+        if given.is_finite:
+            held = Held(held.last, np.maximum(given.wheel_loads, 0.0))
         try:
             command, plan, memory = controller.step(given, memory)
         except Exception as error:  # whatever it is, it is a fault
             yield "exception", f"{type(error).__name__}: {error}"
             memory, held = controller.start(), start
             continue
-        if plan.fallback is None:
-            held = Held(held.last, np.maximum(given.wheel_loads, 0.0))
-        yield plan.fallback.name.lower() if plan.fallback else "plan", limits.fault(command.as_input(), held, plan)
+        yield plan.fallback.name.lower() if plan.fallback else "plan", limits.fault(command.as_input(), held)
         held = Held(command.as_input(), held.loads)

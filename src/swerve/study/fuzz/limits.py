@@ -6,7 +6,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.control import Plan
 from swerve.conventions import DELTA, FORCES
 from swerve.scenario import Scenario
 from swerve.vehicle import Vehicle
@@ -25,7 +24,7 @@ class Held:
 
     Attributes:
         last: (5,) the input before it.
-        loads: (4,) of the wheels, when the plan that it follows was made; static where there is none [N].
+        loads: (4,) of the wheels in the last finite measurement; static ones before the first [N].
     """
 
     last: Array
@@ -45,13 +44,11 @@ class Limits:
         vehicle: whose lock and share of friction.
         friction: of the road [1].
         steering_step: largest change of the steering angle in a sample [rad].
-        static: wheel loads (4,) [N].
     """
 
     vehicle: Vehicle
     friction: float
     steering_step: float
-    static: Array
 
     @classmethod
     def of(cls, scenario: Scenario) -> "Limits":
@@ -59,14 +56,13 @@ class Limits:
         vehicle = scenario.ego.to_vehicle()
         rate = min(vehicle.steering_rate_limit, completion_of(vehicle.name)[1].steering_rate_limit)
         step = rate * scenario.controller.sample_time
-        return cls(vehicle, scenario.road.friction, step, static_loads(scenario))
+        return cls(vehicle, scenario.road.friction, step)
 
-    def fault(self, u: Array, held: Held, plan: Plan) -> str | None:
+    def fault(self, u: Array, held: Held) -> str | None:
         """What is wrong with an input (5,), or None."""
         if not np.isfinite(u).all():
             return "the command is not finite"
-        loads = held.loads if plan.fallback is None else np.maximum(held.loads, self.static)
-        if _exceeds(u[FORCES], self.vehicle.force_limit * self.friction * loads):
+        if _exceeds(u[FORCES], self.vehicle.force_limit * self.friction * held.loads):
             return "a wheel force exceeds its limit"
         if _exceeds(u[DELTA], self.vehicle.steering_limit):
             return "the steering angle exceeds the lock"

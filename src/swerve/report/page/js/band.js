@@ -63,5 +63,12 @@ const Band = (() => {
     ink.stroke();
   }
 
-  return { segments, height, draw };
+  /* The decision at a time in a line: which way, why, and what holds it. */
+  function words(car, time) {
+    const k = Track.step(car, time), { reason, active } = car.plans[k], fallback = car.steps.fallback[k];
+    const why = fallback ? `fallback, ${fallback}` : reason;
+    return `${car.steps.name[k]}${why && `: ${why}`}${active && `; held by ${active}`}`;
+  }
+
+  return { segments, height, draw, words };
 })();

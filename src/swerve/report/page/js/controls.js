@@ -2,8 +2,9 @@
 /* Buttons, the scrubber, layers, moments and keys: all that sets the player. */
 class Controls {
   constructor(report, player, view) {
-    const [play, scrub, time, speed, now] = ["play", "scrub", "time", "speed", "now"].map(id => document.getElementById(id));
-    Object.assign(this, { report, player, view, play, scrub, time, speed, now });
+    const ids = ["play", "scrub", "time", "speed", "now", "reason"];
+    Object.assign(this, { report, player, view }, Object.fromEntries(ids.map(id => [id, document.getElementById(id)])));
+    const { play, scrub, speed } = this;
     scrub.max = player.end;
     for (const each of Player.SPEEDS) speed.append(new Option(`${each} ×`, each, each === 1, each === 1));
     play.addEventListener("click", () => player.toggle());
@@ -21,6 +22,7 @@ class Controls {
     scrub.setAttribute("aria-valuetext", `${time.toFixed(2)} s`);
     speed.value = player.speed;
     this.time.textContent = `${time.toFixed(2)} / ${player.end.toFixed(1)} s`;
+    this.reason.replaceChildren(...this.report.cars.map(car => this.why(car, time)));
     this.now.replaceChildren(...this.report.cars.slice(0, 1).flatMap(car => this.words(car, time)));
   }
 
@@ -30,6 +32,12 @@ class Controls {
       [(delta * 180 / Math.PI).toFixed(1), "° steering"]];
     return [...values.flatMap(([value, unit]) => [element("b", value), ` ${unit}  ·  `]), "plan ",
       element("b", car.steps.name[Track.step(car, time)])];
+  }
+
+  why(car, time) {
+    const line = element("span", this.report.cars.length > 1 ? `${car.name}, ` : "");
+    line.append(`${time.toFixed(2)} s  ·  ${Band.words(car, time)}`);
+    return line;
   }
 
   layers(place) {

@@ -16,12 +16,18 @@ class Decision {
     const { name, fallback, time } = car.steps, plan = car.plans[k];
     const who = this.cars.length > 1 ? `${car.name}: ` : "";
     const parts = [element("h3", `${who}${name[k]}, step at ${time[k].toFixed(2)} s`)];
-    const why = [fallback[k] && `Fallback: ${fallback[k]}.`, sentence(plan.reason), plan.active.length && `Active limits: ${plan.active.join(", ")}.`];
+    const why = [fallback[k] && `Fallback: ${fallback[k]}.`, sentence(plan.reason), plan.active && `Active limits: ${plan.active}.`, planned(plan.use)];
     parts.push(element("p", why.filter(Boolean).join(" "), "note"));
-    if (plan.branches.length) parts.push(table(plan.branches, name[k]));
+    if (plan.branches.length) parts.push(table(plan.branches, plan.taken ?? plan.branches.findIndex(each => each.name === name[k])));
     else parts.push(element("p", "Nothing else was tried in this step.", "note"));
     return parts;
   }
+}
+
+/* What the command is to take of each wheel's friction. */
+function planned(use) {
+  const words = ["FL", "FR", "RL", "RR"].map((name, i) => use[i] !== null && `${name} ${Math.round(100 * use[i])} %`).filter(Boolean);
+  return words.length > 0 && `Friction asked for: ${words.join(", ")}.`;
 }
 
 function sentence(words) {
@@ -29,8 +35,8 @@ function sentence(words) {
 }
 
 function table(branches, taken) {
-  const rows = branches.map(each => row("td", [each.name === taken ? `${each.name} ✓` : each.name, number(each.cost, 0),
-    distance(each.violation), distance(each.off_road), speed(each.impact_speed)], each.name === taken));
+  const rows = branches.map((each, i) => row("td", [i === taken ? `${each.name} ✓` : each.name, number(each.cost, 0),
+    distance(each.violation), distance(each.off_road), speed(each.impact_speed)], i === taken));
   const head = element("thead");
   head.append(row("th", ["Way", "Cost", "Too near", "Off road", "Impact"]));
   const body = element("tbody"), made = element("table"), wide = element("div", "", "wide");
@@ -47,7 +53,7 @@ function row(kind, cells, isTaken = false) {
 }
 
 const number = (value, digits) => value === null ? "–" : value.toLocaleString("en", { maximumFractionDigits: digits, minimumFractionDigits: digits });
-const distance = value => value === null ? "–" : value > 0 ? `${number(value, 2)} m` : "no";
+const distance = value => value === null ? "–" : value >= 0.005 ? `${number(value, 2)} m` : "no";
 const speed = value => value === null ? "no" : `${number(3.6 * value, 0)} km/h`;
 
 function element(tag, text = "", name = "") {

@@ -1,8 +1,10 @@
 "use strict";
-/* Reads the document, puts the parts together, and shows the instant after "#t=" in the address, or the start. */
+/* Reads the document, puts the parts together, and shows the instant after "#t=" in the address, or the start; with
+   "play" in it, plays from there. A page round this one has its own button for light and dark. */
 const Report = (() => {
   const report = JSON.parse(document.getElementById("document").textContent);
-  const player = new Player(report.scene.end, report.scene.sample_time);
+  const player = new Player(report.scene.end, report.scene.sample_time), wanted = new URLSearchParams(location.hash.slice(1));
+  if (window.parent !== window) document.documentElement.dataset.framed = "";
   Colours.read();
   const view = new TopView(document.getElementById("view"), report);
   const wheels = document.getElementById("wheels");
@@ -29,6 +31,7 @@ const Report = (() => {
   for (const key of document.querySelectorAll(".key[data-car]")) key.style.borderTopColor = `var(--line-${key.dataset.car % 4 + 1})`;
   new ResizeObserver(() => player.changed()).observe(view.canvas);
   label();
-  player.seek(Number(new URLSearchParams(location.hash.slice(1)).get("t")) || 0);
+  player.seek(Number(wanted.get("t")) || 0);
+  if (wanted.has("play") && !matchMedia("(prefers-reduced-motion: reduce)").matches) player.toggle();
   return { report, player, view, charts, controls, paper };
 })();

@@ -1,21 +1,14 @@
 "use strict";
 /* The plan of a step: the way that is taken, solid with a dot for each sample, and those that are not, dashed; each with
-   its name at its end. */
+   its name at its end; one that touches an obstacle is crossed out there, with the speed at which it does. */
 const Plans = (() => {
   const FONT = "600 12px system-ui, sans-serif";
   const ROOM = 15;  // between two names, one below the other [px]
 
   function draw(ink, camera, car, time, colour, { plan, branches }) {
-    const k = Track.step(car, time), taken = car.steps.name[k], step = car.plans[k];
-    if (!step) return;
-    const labels = [];
-    if (branches) {
-      for (const branch of step.branches) {
-        if (branch.path.length && branch.name !== taken) labels.push(other(ink, camera, branch));
-      }
-    }
-    const own = step.branches.find(each => each.name === taken);
-    if (plan) labels.push(...chosen(ink, camera, step.path, own ? own.path : [], taken, colour));
+    const k = Track.step(car, time), step = car.plans[k], own = step.branches[step.taken], labels = [];
+    if (branches) labels.push(...step.branches.filter(each => each !== own && each.path.length).map(each => other(ink, camera, each)));
+    if (plan) labels.push(...chosen(ink, camera, step.path, own?.path ?? [], car.steps.name[k], colour));
     name(ink, camera, labels);
   }
 
@@ -25,15 +18,20 @@ const Plans = (() => {
     return points;
   }
 
-  function other(ink, camera, { name, path }) {
-    const points = poses(path);
-    ink.strokeStyle = Colours.get("muted");
-    ink.lineWidth = 1.8;
+  function other(ink, camera, branch) {
+    const points = poses(branch.path), colour = Colours.get(branch.impact_speed === null ? "muted" : "bad");
+    ink.strokeStyle = colour;
+    ink.lineWidth = 1.5;
     ink.setLineDash([7, 5]);
     camera.trace(ink, points);
     ink.stroke();
     ink.setLineDash([]);
-    return { points, text: name, colour: Colours.get("muted") };
+    return { points, text: label(branch), colour };
+  }
+
+  function label({ name, impact_speed, off_road }) {
+    if (impact_speed !== null) return `✕ ${name}, ${(3.6 * impact_speed).toFixed(0)} km/h`;
+    return off_road > 0.005 ? `${name}, off the road` : name;
   }
 
   function chosen(ink, camera, path, beyond, name, colour) {

@@ -5,7 +5,7 @@ const Surroundings = (() => {
   const FONT = "12px system-ui, sans-serif";
 
   function ground(ink, camera, scene) {
-    const { edges, lines } = scene.road;
+    const { edges, lines, oncoming } = scene.road;
     ink.fillStyle = edges.length ? Colours.get("grid") : Colours.get("road");
     ink.fillRect(0, 0, camera.width, camera.height);
     if (edges.length) {
@@ -15,16 +15,30 @@ const Surroundings = (() => {
     for (const patch of scene.patches) slippery(ink, camera, patch);
     for (const Y of edges) across(ink, camera, Y, 2.5, []);
     for (const Y of lines) across(ink, camera, Y, 1.5, [3 * camera.scale, 6 * camera.scale]);
+    if (oncoming === null) return;
+    for (const side of [-2, 2]) across(ink, camera, oncoming, 1.5, [], side);
+    against(ink, camera, (oncoming + edges[1]) / 2);
   }
 
-  function across(ink, camera, Y, width, dash) {
+  /* Arrows against X, at places that lie still on the road. */
+  function against(ink, camera, Y) {
+    ink.fillStyle = Colours.pale("lane", 0.45);
+    const every = 25 * camera.scale, y = camera.y(Y), size = 0.5 * camera.scale;
+    for (let x = camera.x(0) % every; x < camera.width + every; x += every) {
+      ink.beginPath();
+      for (const [dx, dy] of [[-2, 0], [0, -1], [0, -0.3], [3, -0.3], [3, 0.3], [0, 0.3], [0, 1]]) ink.lineTo(x + dx * size, y + dy * size);
+      ink.fill();
+    }
+  }
+
+  function across(ink, camera, Y, width, dash, beside = 0) {
     ink.strokeStyle = Colours.get("lane");
     ink.lineWidth = width;
     ink.setLineDash(dash);
     ink.lineDashOffset = -camera.x(0);  // the dashes lie still on the road
     ink.beginPath();
-    ink.moveTo(0, camera.y(Y));
-    ink.lineTo(camera.width, camera.y(Y));
+    ink.moveTo(0, camera.y(Y) + beside);
+    ink.lineTo(camera.width, camera.y(Y) + beside);
     ink.stroke();
     ink.setLineDash([]);
   }

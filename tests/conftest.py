@@ -1,4 +1,4 @@
-"""A real browser for the tests of the page: Chromium without a window, the machine's own or Playwright's."""
+"""A real browser for the tests of pages: Chromium without a window, the machine's own or Playwright's."""
 
 import os
 import shutil
