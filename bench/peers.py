@@ -2,18 +2,18 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from unittest.mock import patch
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bench.nonlinear_program import NonlinearController, NonlinearProgram
 from bench.stopwatch import Step, Stopwatch
-from swerve.control import Goal, Horizon, Weights
-from swerve.control.unified import UnifiedSettings
+from swerve.control import Controller
+from swerve.control.nonlinear import NonlinearController, NonlinearProgram
+from swerve.control.nonlinear.memory import Memory
 from swerve.scenario import Scenario
 from swerve.signals import Measurement
-from swerve.simulate import CONTROLLERS, Result, run
+from swerve.simulate import Result, run
+from swerve.simulate.assemble import controller_named
 
 Array = NDArray[np.float64]
 
@@ -31,32 +31,28 @@ class Replay:
     n_unsolved: int
 
 
-def nonlinear_controller(scenario: Scenario, solver: str) -> NonlinearController:
-    """The nonlinear program for a scenario, with the settings of its unified controller."""
-    settings = scenario.controller
-    return NonlinearController(
-        vehicle=scenario.ego.to_vehicle(),
-        friction=scenario.road.friction,
-        goal=Goal(**scenario.goal.model_dump()),
-        horizon=Horizon(settings.prediction_horizon, settings.control_horizon, settings.sample_time),
-        weights=Weights(**settings.weights.model_dump()),
-        settings=UnifiedSettings(**settings.unified.model_dump()),
-        n_obstacles=len(scenario.obstacles),
-        solver=solver,
-    )
+def with_solver(scenario: Scenario, solver: str) -> Scenario:
+    """The scenario with another solver of the nonlinear program."""
+    settings = scenario.controller.nonlinear.model_copy(update={"solver": solver})
+    return scenario.model_copy(update={"controller": scenario.controller.model_copy(update={"nonlinear": settings})})
 
 
-def replay(controller: NonlinearController, measured: Sequence[tuple[Measurement, Array]]) -> Replay:
+def nonlinear_controller(scenario: Scenario) -> Controller[Memory]:
+    """The nonlinear controller for a scenario, on the plant that the unified controller is measured on."""
+    return controller_named("nonlinear", scenario, "planar")
+
+
+def replay(controller: Controller[Memory], measured: Sequence[tuple[Measurement, Array]]) -> Replay:
     """Each step from the last one's plans and the measurement and command of the record."""
     watch, memory, n_unsolved = Stopwatch(), controller.start(), 0
     with watch.watching((NonlinearController, "step"), {"solve": [(NonlinearProgram, "solve")]}):
         for measurement, command in measured:
-            _, plan, memory = controller.step(measurement, replace(memory, command=command))
+            known = replace(memory, commands=(command, *memory.commands[1:]))
+            _, plan, memory = controller.step(measurement, known)
             n_unsolved += plan.solver_failures
     return Replay(watch.steps, n_unsolved)
 
 
-def closed_loop(controller: NonlinearController, scenario: Scenario) -> Result:
+def closed_loop(scenario: Scenario) -> Result:
     """A run in which the peer drives."""
-    with patch.dict(CONTROLLERS, {"nonlinear": lambda *_: controller}):
-        return run(scenario, "nonlinear", "planar").result
+    return run(scenario, "nonlinear", "planar").result

@@ -7,10 +7,10 @@ from typing import Final
 import numpy as np
 
 from bench import multibody, peers, processes, unified
-from bench.nonlinear_program import SOLVERS, NonlinearController
 from bench.statistic import Statistic
 from bench.stopwatch import Step
 from bench.table import Cell, Table, in_ms
+from swerve.control.nonlinear import SOLVERS
 from swerve.qp import SOLVERS as QP_SOLVERS
 from swerve.scenario import Scenario, load
 from swerve.simulate import Result
@@ -75,9 +75,10 @@ def _quadratic_programs(scenario: Scenario) -> Table:
 
 def _peers(scenario: Scenario) -> Iterator[Table]:
     measured = unified.measured(scenario)
-    controllers = {solver: peers.nonlinear_controller(scenario, solver) for solver in SOLVERS}
+    scenarios = {solver: peers.with_solver(scenario, solver) for solver in SOLVERS}
     rows: list[list[Cell]] = []
-    for solver, controller in controllers.items():
+    for solver, each in scenarios.items():
+        controller = peers.nonlinear_controller(each)
         replays = [peers.replay(controller, measured) for _ in range(N_REPLAYS)]
         runs = [replay.steps for replay in replays]
         unsolved = max(replay.n_unsolved for replay in replays)
@@ -86,12 +87,12 @@ def _peers(scenario: Scenario) -> Iterator[Table]:
         rows.append([f"{solver} both", *in_ms(_typical(runs, methodcaller("total", "solve"))), float(unsolved)])
     title = f"Full nonlinear program, compiled, on the same measurements, median of {N_REPLAYS} replays [ms]"
     yield Table("nonlinear_program", title, ("solver and side", *TIMES, "unsolved"), rows)
-    yield _closed_loops(scenario, controllers)
+    yield _closed_loops(scenario, scenarios)
 
 
-def _closed_loops(scenario: Scenario, controllers: Mapping[str, NonlinearController]) -> Table:
+def _closed_loops(scenario: Scenario, peer_scenarios: Mapping[str, Scenario]) -> Table:
     results = {"unified": unified.drive(scenario).result}
-    results |= {solver: peers.closed_loop(controller, scenario) for solver, controller in controllers.items()}
+    results |= {solver: peers.closed_loop(each) for solver, each in peer_scenarios.items()}
     rows = [_numbers(name, result) for name, result in results.items()]
     columns = ("controller", "outcome", "decision", "smallest sqrt(rho)", "largest |Y| [m]", "unsolved")
     return Table("closed_loops", "Each in a closed loop of its own", columns, rows)

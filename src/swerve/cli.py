@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Final, NoReturn, TextIO
 
 from swerve import __version__
-from swerve.commands import export, manoeuvres, studies, view
+from swerve.commands import criticality, export, limit, manoeuvres, studies, view
 from swerve.errors import InputError, SwerveError, unknown
 
 INTERRUPTED: Final = 130  # 128 + SIGINT, as shells have it
@@ -108,6 +108,8 @@ def _parser() -> argparse.ArgumentParser:
     export.add_command(commands)
     view.add_command(commands)
     manoeuvres.add_commands(commands)
+    limit.add_commands(commands)
+    criticality.add_command(commands)
     studies.add_commands(commands)
     return parser
 

@@ -124,10 +124,58 @@ def test_a_failure_changes_what_acts_and_not_what_was_commanded() -> None:
 @pytest.mark.parametrize("overrides", [("actuation.mode='no-drive'",), ("actuation.failed_wheels=['fl']",)])
 def test_a_controller_of_all_inputs_refuses_a_mode(overrides: tuple[str, ...]) -> None:
     """The controller as-printed knows no modes: it says so, and runs when the failure is not told."""
-    with pytest.raises(InputError, match="as-printed commands all inputs"):
+    with pytest.raises(InputError, match=r"as-printed knows no (no-drive|failures); take unified"):
         run(load("paper", overrides), "as-printed", "planar")
     untold = ("actuation.failed_wheels=['fl']", "actuation.known=false", "duration=0.2 s")
     assert run(load("paper", untold), "as-printed", "planar").result.steps == 4
+
+
+BASELINES = [
+    ("brake", ("actuation.mode='brakes-only'",)),
+    ("brake", ("actuation.mode='steer+friction-brakes'",)),
+    ("brake", ("actuation.failed_wheels=['fl']",)),
+    ("brake", ("actuation.steering_stuck='1 deg'",)),
+    ("hierarchical", ("actuation.mode='no-drive'",)),
+    ("hierarchical", ("actuation.mode='steer+friction-brakes'",)),
+    ("nonlinear", ("actuation.mode='no-drive'",)),
+]
+
+
+@pytest.mark.parametrize(("controller", "overrides"), BASELINES)
+def test_a_baseline_keeps_to_the_modes_that_it_takes(controller: str, overrides: tuple[str, ...]) -> None:
+    """With the paper's obstacle, which it brakes or steers for, and blinded now and then, so that it falls back."""
+    scenario = load("paper", ("duration=1.5 s", *overrides))
+    done = run(scenario, controller, "planar", sense=blinded())
+    actuation, given = actuation_of(scenario, "planar"), commands(done)
+    assert done.result.fallback_steps > 0
+    assert np.abs(given).max() > 0.01
+    np.testing.assert_allclose(actuation.within(given, np.full(5, 1e5)), given, rtol=1e-12, atol=1e-3)
+
+
+@pytest.mark.parametrize("wall", [(), ("actuation.mode='steer+friction-brakes'",)])
+def test_the_emergency_brake_knows_what_its_brakes_reach(wall: tuple[str, ...]) -> None:
+    """With a single brake demand, worth 80 % until the load has moved, it stops before a wall, too."""
+    done = run(load("paper", (*WALL, *wall)), "brake", "planar")
+    assert done.result.outcome.value == "avoided"
+    assert done.result.decision == "brake"
+
+
+@pytest.mark.parametrize(
+    ("controller", "overrides", "message"),
+    [
+        ("brake", ("actuation.mode='steer-only'",), "brake has nothing to brake with"),
+        ("brake", ("actuation.failed_wheels=['fl','fr','rl','rr']",), "brake has nothing to brake with"),
+        ("hierarchical", ("actuation.mode='brakes-only'",), "hierarchical knows no brakes-only"),
+        ("hierarchical", ("actuation.steering_stuck=0",), "hierarchical knows no failures"),
+        ("nonlinear", ("actuation.mode='steer+friction-brakes'",), "nonlinear knows no steer\\+friction-brakes"),
+        ("nonlinear", ("actuation.failed_wheels=['rl']",), "nonlinear knows no failures"),
+    ],
+)
+def test_a_baseline_refuses_what_it_does_not_know(controller: str, overrides: tuple[str, ...], message: str) -> None:
+    """In one line that says what would be right."""
+    with pytest.raises(InputError, match=message) as refused:
+        run(load("paper", overrides), controller, "planar")
+    assert "; take unified, or " in str(refused.value)
 
 
 @pytest.mark.parametrize(

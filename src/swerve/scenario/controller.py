@@ -6,6 +6,7 @@ from pydantic import Field, model_validator
 
 from swerve.scenario.quantities import (
     Angle,
+    Delay,
     Force,
     Horizon,
     Iterations,
@@ -100,6 +101,60 @@ class UnifiedSettings(Settings):
     deadline: Share = 0.5
 
 
+class BrakeSettings(Settings):
+    """Settings of the controller `brake`.
+
+    Attributes:
+        trigger_share: it acts when braking with this share of the largest deceleration comes too late [1].
+        trigger_time: it acts when there is contact within this time at the present speed [s].
+        margin: between the footprint and an obstacle that counts as contact [m].
+    """
+
+    trigger_share: Share = 0.85
+    trigger_time: Delay = 0.6
+    margin: Margin = 0.2
+
+
+class HierarchicalSettings(Settings):
+    """Settings of the controller `hierarchical`.
+
+    Attributes:
+        comfort: share of mu g that keeping the lane, or returning to it, may take [1].
+        evasive: share of mu g that a lane change may take, which leaves the tracker the rest [1].
+        braking: share of mu g up to which braking goes before a lane change [1].
+        margin: between the footprint and an obstacle on a planned path [m].
+        slip_limit: largest |slip angle| of an axle in the tracker, soft [rad].
+        slip_penalty: per radian beyond it [1/rad].
+        slip_penalty_quadratic: per square radian beyond it [1/rad^2].
+        lateral_offset: weight on the distance from the path [1/m^2].
+        heading: weight on the angle to the path [1/rad^2].
+        speed: weight on the deviation from the speed profile [s^2/m^2].
+        iterations: of the tracker's quadratic program in a step.
+    """
+
+    comfort: Share = 0.3
+    evasive: Share = 1.0
+    braking: Share = 0.85
+    margin: Margin = 0.2
+    slip_limit: Angle = 0.12
+    slip_penalty: Weight = 1e3
+    slip_penalty_quadratic: Weight = 1e5
+    lateral_offset: Weight = 100.0
+    heading: Weight = 100.0
+    speed: Weight = 5.0
+    iterations: Iterations = 2
+
+
+class NonlinearSettings(Settings):
+    """Settings of the controller `nonlinear`; its penalties and limits are those of `unified`.
+
+    Attributes:
+        solver: of the nonlinear program.
+    """
+
+    solver: Annotated[Literal["fatrop", "ipopt"], choice("solver", ("fatrop", "ipopt"))] = "fatrop"
+
+
 class ControllerSettings(Settings):
     """Horizons, sample time and weights that every controller reads, and a table for each controller's own.
 
@@ -109,7 +164,10 @@ class ControllerSettings(Settings):
         sample_time: Ts, between two calls of the controller [s].
         weights: of the cost (10).
         as_printed: read by `as-printed` alone.
-        unified: read by `unified` alone.
+        unified: read by `unified`, its penalties and limits by `nonlinear` too.
+        brake: read by `brake` alone.
+        hierarchical: read by `hierarchical` alone.
+        nonlinear: read by `nonlinear` alone.
     """
 
     prediction_horizon: Horizon = 20
@@ -118,6 +176,9 @@ class ControllerSettings(Settings):
     weights: Weights = Field(default_factory=Weights)
     as_printed: AsPrintedSettings = Field(default_factory=AsPrintedSettings)
     unified: UnifiedSettings = Field(default_factory=UnifiedSettings)
+    brake: BrakeSettings = Field(default_factory=BrakeSettings)
+    hierarchical: HierarchicalSettings = Field(default_factory=HierarchicalSettings)
+    nonlinear: NonlinearSettings = Field(default_factory=NonlinearSettings)
 
     @model_validator(mode="after")
     def _control_within_prediction(self) -> Self:

@@ -1,12 +1,16 @@
 """From a scenario's words to the objects that run: controllers and plants by name."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import fields
 from typing import Any, Final
 
 from swerve.control import Controller, Goal, Horizon, Latency, Weights
 from swerve.control.actuation import Actuation
 from swerve.control.as_printed import AsPrintedController, AsPrintedSettings
+from swerve.control.brake import BrakeController, BrakeSettings
 from swerve.control.driver import DriverController
+from swerve.control.hierarchical import HierarchicalController, HierarchicalSettings
+from swerve.control.nonlinear import NonlinearController, NonlinearSettings
 from swerve.control.unified import Formulation, UnifiedController, UnifiedSettings
 from swerve.conventions import GRAVITY
 from swerve.driver import DriverSeries, LaneKeeper
@@ -14,6 +18,7 @@ from swerve.driver.series import NOTHING
 from swerve.errors import InputError, unknown
 from swerve.plant import MultibodyPlant, PlanarPlant, Plant
 from swerve.scenario import Scenario
+from swerve.scenario.actuation import MODES
 from swerve.scenario.driver import PREVIEW
 from swerve.sensing import Noise, Sensor
 from swerve.signals import Driver
@@ -23,7 +28,12 @@ from swerve.world import Friction
 
 ONE_FRICTION: Final = "the planar plant has one friction for all wheels; take the multibody plant"
 
-ALL_INPUTS: Final = "actuation: the controller as-printed commands all inputs; take unified, or leave out what is told"
+# the modes that a controller can be told of, and whether of failures; those that are not here, of all of both
+HONOURED: Final[Mapping[str, tuple[tuple[str, ...], bool]]] = {
+    "as-printed": (("all",), False),
+    "hierarchical": (("all", "no-drive", "steer+friction-brakes"), False),
+    "nonlinear": (("all", "no-drive"), False),
+}
 
 AXLES_IN_TURN = (
     1.5  # [1] relaxation lengths until a turn is there: the front axle's, and half of the rear one's upon it
@@ -78,11 +88,48 @@ def _unified(scenario: Scenario, plant: str) -> UnifiedController:
 
 
 def _as_printed(scenario: Scenario, plant: str) -> AsPrintedController:
-    told = scenario.actuation
-    if told.mode != "all" or (told.has_failures and told.known):
-        raise InputError(ALL_INPUTS)
     settings = AsPrintedSettings(**scenario.controller.as_printed.model_dump())
     return AsPrintedController(settings=settings, **_shared(scenario, plant))
+
+
+def _brake(scenario: Scenario, plant: str) -> BrakeController:
+    told = _shared(scenario, plant)
+    del told["weights"]  # it minimises nothing
+    actuation = actuation_of(scenario, plant)
+    if not actuation.braking:
+        raise InputError("actuation: brake has nothing to brake with; take unified, or leave it a wheel that brakes")
+    return BrakeController(
+        footprint=scenario.ego.to_footprint(),
+        road=scenario.road.to_world(),
+        latency=_latency(scenario, plant),
+        settings=BrakeSettings(**scenario.controller.brake.model_dump()),
+        actuation=actuation,
+        **told,
+    )
+
+
+def _hierarchical(scenario: Scenario, plant: str) -> HierarchicalController:
+    return HierarchicalController(
+        footprint=scenario.ego.to_footprint(),
+        road=scenario.road.to_world(),
+        latency=_latency(scenario, plant),
+        settings=HierarchicalSettings(**scenario.controller.hierarchical.model_dump()),
+        actuation=actuation_of(scenario, plant),
+        **_shared(scenario, plant),
+    )
+
+
+def _nonlinear(scenario: Scenario, plant: str) -> NonlinearController:
+    both = scenario.controller.unified.model_dump() | scenario.controller.nonlinear.model_dump()
+    return NonlinearController(
+        footprint=scenario.ego.to_footprint(),
+        road=scenario.road.to_world(),
+        latency=_latency(scenario, plant),
+        settings=NonlinearSettings(**{each.name: both[each.name] for each in fields(NonlinearSettings)}),
+        shapes=[obstacle.to_world().shape for obstacle in scenario.obstacles],
+        actuation=actuation_of(scenario, plant),
+        **_shared(scenario, plant),
+    )
 
 
 def _driver(scenario: Scenario, plant: str) -> DriverController:
@@ -140,17 +187,39 @@ def driver_of(scenario: Scenario) -> Driver | None:
 
 ControllerBuilder = Callable[[Scenario, str], Controller[Any]]
 
-CONTROLLERS: Final[dict[str, ControllerBuilder]] = {"unified": _unified, "as-printed": _as_printed, "driver": _driver}
+CONTROLLERS: Final[dict[str, ControllerBuilder]] = {
+    "unified": _unified,
+    "as-printed": _as_printed,
+    "brake": _brake,
+    "hierarchical": _hierarchical,
+    "nonlinear": _nonlinear,
+    "driver": _driver,
+}
 PLANTS: Final[dict[str, Callable[[Scenario], Plant]]] = {"planar": _planar, "multibody": _multibody}
 DEFAULT_CONTROLLER: Final = "unified"
 DEFAULT_PLANT: Final = "multibody"
 
 
 def controller_named(name: str, scenario: Scenario, plant: str) -> Controller[Any]:
-    """Build the controller of this name, which knows the actuators of that plant; InputError when there is none."""
+    """Build the controller of this name, which knows the actuators of that plant.
+
+    Raises:
+        InputError: there is none of this name, or it can't be told of the scenario's mode or failures.
+    """
     if name not in CONTROLLERS:
         raise InputError(unknown("controller", name, CONTROLLERS))
+    _refuse_actuation(name, scenario)
     return CONTROLLERS[name](scenario, plant)
+
+
+def _refuse_actuation(name: str, scenario: Scenario) -> None:
+    """InputError for a mode or failures of which the controller of this name can't be told."""
+    told = scenario.actuation
+    modes, knows_failures = HONOURED.get(name, (MODES, True))
+    if told.mode not in modes:
+        raise InputError(f"actuation.mode: {name} knows no {told.mode}; take unified, or write {' or '.join(modes)}")
+    if told.has_failures and told.known and not knows_failures:
+        raise InputError(f"actuation.known: {name} knows no failures; take unified, or write known = false")
 
 
 def plant_named(name: str, scenario: Scenario) -> Plant:

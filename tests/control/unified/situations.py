@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from swerve.control import Goal, Horizon, Latency, Side, Weights
+from swerve.control.forecast import Forecast, forecasts
 from swerve.control.plan import Passing
 from swerve.control.unified import Formulation, UnifiedController, UnifiedSettings
 from swerve.control.unified.condensing import Blocking, Sensitivities, condense
 from swerve.control.unified.deadline import Deadline
-from swerve.control.unified.forecast import Forecast, forecasts
 from swerve.control.unified.memory import Memory
 from swerve.control.unified.prediction import PredictionModel, Trajectory
 from swerve.control.unified.scene import Scene

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from swerve.control import Fallback, Plan, Side
+from swerve.control.fallback import shifted
 from swerve.control.plan import Passing
 from swerve.control.unified import UnifiedController
-from swerve.control.unified.memory import Memory, shifted
+from swerve.control.unified.memory import Memory
 from swerve.qp import Problem, Solution
 from swerve.qp.solution import Status
 from swerve.scenario import load

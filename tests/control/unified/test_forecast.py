@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from swerve.control.unified.forecast import LARGEST, LASTING, NOVELTY, Forecast, forecasts
+from swerve.control.forecast import LARGEST, LASTING, NOVELTY, Forecast, forecasts
 from swerve.signals import Observation
 from swerve.world import Accelerating, Ellipse
 from tests.control.unified.situations import Array

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
+from swerve.control.forecast import Forecast
 from swerve.control.plan import Passing
 from swerve.control.unified.condensing import Sensitivities
-from swerve.control.unified.forecast import Forecast
 from swerve.control.unified.limits import ObstacleLimit, Penalty, Rows
 from swerve.control.unified.limits.limit import MOST_ROWS
 from swerve.control.unified.limits.obstacle import REACH, SAG

@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from swerve.control.fallback import shifted
 from swerve.control.plan import Passing
 from swerve.control.unified.deadline import Deadline
-from swerve.control.unified.memory import Memory, is_same, shifted
+from swerve.control.unified.memory import Memory, is_same
 from swerve.control.unified.planning import MOST_PLANNED, Planning
 from swerve.control.unified.way import Way
 from swerve.signals import Measurement

@@ -5,11 +5,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.friction_use import friction_use
 from swerve.control.plan import Branch, Plan
 from swerve.control.unified.choice import Candidate, Choice
 from swerve.control.unified.improve import WayPlan
 from swerve.control.unified.situation import CLEAR
-from swerve.conventions import FORCES, WHEELS
+from swerve.conventions import WHEELS
 from swerve.signals import Measurement
 
 Array = NDArray[np.float64]
@@ -20,18 +21,20 @@ AT_THE_LIMIT = 0.999  # [1] share of an input's largest magnitude that counts as
 def plan_of(measurement: Measurement, candidates: Sequence[Candidate], choice: Choice, friction: float) -> Plan:
     """The chosen plan, with all that were tried and the reason; `friction` is mu [1]."""
     taken = choice.candidate.plan
-    inputs = taken.step.trajectory.inputs
+    trajectory = taken.step.trajectory
     return Plan(
         time=measurement.time,
-        inputs=inputs,
-        states=taken.step.trajectory.states,
+        inputs=trajectory.inputs,
+        states=trajectory.states,
         side=taken.way.side if taken.is_shaped else None,
         name=taken.way.name,
         is_shaped=taken.is_shaped or taken.violation > CLEAR,
         branches=tuple(_branch(each) for each in candidates),
         reason=choice.reason,
         active=taken.active + _inputs_at_limit(taken),
-        friction_use=_friction_use(taken, friction * measurement.wheel_loads),
+        friction_use=friction_use(
+            trajectory.inputs[0], trajectory.lateral_demand[0], friction * measurement.wheel_loads
+        ),
         solver_failures=sum(each.plan.n_failed for each in candidates),
     )
 
@@ -55,12 +58,3 @@ def _inputs_at_limit(plan: WayPlan) -> tuple[str, ...]:
     names = ("steering lock", *(f"force {wheel}" for wheel in WHEELS))
     at_limit = first >= AT_THE_LIMIT * largest
     return tuple(name for name, held in zip(names, at_limit, strict=True) if held)
-
-
-def _friction_use(plan: WayPlan, grip: Array) -> Array:
-    """(4,) of the first input, by the friction ellipse: lateral demand and wheel force, as shares of mu Fz [1]."""
-    trajectory = plan.step.trajectory
-    longitudinal = np.abs(trajectory.inputs[0, FORCES]) / np.maximum(grip, 1.0)
-    along = np.minimum(longitudinal, 1.0) ** 2
-    use: Array = np.sqrt(along + np.minimum(trajectory.lateral_demand[0], 1.0) ** 2 * (1 - along))
-    return use

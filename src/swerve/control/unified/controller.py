@@ -8,6 +8,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.fallback import shifted
+from swerve.control.forecast import forecasts
 from swerve.control.plan import Fallback, Plan
 from swerve.control.protocol import Controller
 from swerve.control.unified.answer import plan_of
@@ -16,10 +18,9 @@ from swerve.control.unified.choice import ON_ROAD, Candidate, choose
 from swerve.control.unified.compensation import is_late, n_commands
 from swerve.control.unified.deadline import Clock, Deadline
 from swerve.control.unified.fallback import Ladder
-from swerve.control.unified.forecast import forecasts
 from swerve.control.unified.formulation import Formulation
 from swerve.control.unified.improve import WayPlan
-from swerve.control.unified.memory import Memory, is_same, shifted
+from swerve.control.unified.memory import Memory, is_same
 from swerve.control.unified.planning import Planning, leaves_a_way
 from swerve.control.unified.situation import CLEAR
 from swerve.signals import Command, Measurement

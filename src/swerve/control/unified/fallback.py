@@ -17,10 +17,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.fallback import shifted
 from swerve.control.plan import Fallback, Plan
 from swerve.control.unified.acceptance import Step
 from swerve.control.unified.improve import WayPlan
-from swerve.control.unified.memory import Memory, shifted
+from swerve.control.unified.memory import Memory
 from swerve.control.unified.prediction import PredictionModel
 from swerve.control.unified.program import Program
 from swerve.control.unified.situation import CLEAR, Situation

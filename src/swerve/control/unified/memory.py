@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.forecast import Forecast
 from swerve.control.plan import Passing, Plan
-from swerve.control.unified.forecast import Forecast
 from swerve.conventions import N_INPUTS
 
 Array = NDArray[np.float64]
@@ -65,8 +65,3 @@ class Memory:
 def is_same(key: Key | None, passing: Key, threats: tuple[int, ...]) -> bool:
     """Whether two ways pass the obstacles in the path alike."""
     return key is not None and len(key) == len(passing) and all(key[i] is passing[i] for i in threats)
-
-
-def shifted(inputs: Array, samples: int = 1) -> Array:
-    """A plan's inputs (Np, 5) some samples later: its own from there on, the last one held."""
-    return np.asarray(inputs[np.minimum(np.arange(len(inputs)) + samples, len(inputs) - 1)])

@@ -5,13 +5,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.fallback import shifted
 from swerve.control.unified.acceptance import Step
 from swerve.control.unified.assistance import Lead
 from swerve.control.unified.choice import NEARLY, ON_ROAD
 from swerve.control.unified.deadline import Deadline
 from swerve.control.unified.formulation import Formulation
 from swerve.control.unified.improve import TRUST_AFTER_A_STEP, WayPlan, improve
-from swerve.control.unified.memory import Memory, is_same, shifted
+from swerve.control.unified.memory import Memory, is_same
 from swerve.control.unified.scene import Scene
 from swerve.control.unified.seeds import seeds
 from swerve.control.unified.situation import CLEAR

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.forecast import Forecast
 from swerve.control.plan import Passing, Side
-from swerve.control.unified.forecast import Forecast
 from swerve.control.unified.lines import ANY, Lines
 from swerve.control.unified.tail import Outlook, Tail
 from swerve.conventions import GRAVITY, POSE, PSI, VX, VY, Y
@@ -146,12 +146,12 @@ def look(
             met[i] = int(touching[0])
         elif gap.min() < BESIDE:
             companions.append(i)
-        natural.append(_passing(normals[gap.argmin()], from_centre[0]))
+        natural.append(passed(normals[gap.argmin()], from_centre[0]))
     threats = sorted(met, key=lambda i: (met[i], i))
     return Scene(place, start, time, forecasts, tuple(natural), tuple(threats), tuple(companions))
 
 
-def _passing(normal: Array, from_centre: Array) -> Passing:
+def passed(normal: Array, from_centre: Array) -> Passing:
     """How an obstacle is passed whose nearest separating line has this normal (2,), from this pose (3,) on."""
     if abs(normal[0]) < abs(normal[1]):
         return Passing.LEFT if normal[1] > 0 else Passing.RIGHT

@@ -10,9 +10,9 @@ gap for comfort, at a low price, that grows with foresight: of it is made up for
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.control.forecast import Forecast
 from swerve.control.plan import Passing
 from swerve.control.unified.condensing import Sensitivities
-from swerve.control.unified.forecast import Forecast
 from swerve.control.unified.limits.limit import Penalty, Rows, nearest
 from swerve.control.unified.prediction import Trajectory
 from swerve.control.unified.separation import Planes, Separation

@@ -1,0 +1,209 @@
+"""The nonlinear program of one vehicle, compiled and bound to a solver: a question and a guess in, an answer out."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from swerve.control.actuation import Actuation
+from swerve.control.nonlinear.buffered import Buffered
+from swerve.control.nonlinear.cover import n_parts, pairs
+from swerve.control.nonlinear.formulation import N_TURNS, Parameters, formulate
+from swerve.control.nonlinear.functions import functions
+from swerve.control.nonlinear.layout import Layout
+from swerve.control.nonlinear.library import library
+from swerve.control.nonlinear.settings import NonlinearSettings
+from swerve.control.nonlinear.solver import Solver
+from swerve.control.nonlinear.stage import INPUT_SCALE, N_PAIR, N_SLIPS, stage
+from swerve.control.nonlinear.values import Answer, Guess, Question
+from swerve.control.settings import Goal, Horizon, Weights
+from swerve.control.unified.prediction import SLIP_SPEED_FLOOR, PredictionModel
+from swerve.conventions import DELTA, FORCES, PSI, VX, VY, X, Y
+from swerve.vehicle import Vehicle
+from swerve.vehicle.two_track import Parameters as ModelParameters
+from swerve.world import Footprint, Shape
+
+Array = NDArray[np.float64]
+
+INTERIOR = 1e-2  # [m, rad] added to the slacks of a guess, so that an interior-point method starts inside
+LEAST_LOAD = 1.0  # [N] so that a lower bound stays below the upper one
+UNLIMITED = 1e6  # [1] a turn in units of INPUT_SCALE that is none
+NOWHERE = (0.0, 0.0, 0.0, 1e3, 0.0, 0.0, 100.0, 100.0, 0.0)  # a pair beside the ego vehicle that is never near
+CENTRE = slice(2, 4)  # of a pair's numbers
+SPEED = slice(4, 6)
+SEMI_AXES = slice(6, 8)
+
+
+class NonlinearProgram:
+    """The program for one vehicle and footprint on a road of known friction, a number of obstacles, and one solver."""
+
+    def __init__(
+        self,
+        vehicle: Vehicle,
+        footprint: Footprint,
+        friction: float,
+        goal: Goal,
+        horizon: Horizon,
+        weights: Weights,
+        settings: NonlinearSettings,
+        shapes: Sequence[Shape],
+        actuation: Actuation,
+    ) -> None:
+        """Build and compile the program, or take it from the cache.
+
+        Args:
+            vehicle: what is driven.
+            footprint: what keeps clear.
+            friction: mu [1].
+            goal: where the cost pulls.
+            horizon: Np, Nc, Ts.
+            weights: of (10).
+            settings: penalties, limits and the solver's name.
+            shapes: of the obstacles that there may be; of more obstacles the program keeps clear of the nearest.
+            actuation: the inputs that there are, each of them free, if only in one direction.
+
+        Raises:
+            SwerveError: it can't be compiled.
+        """
+        solver, self._n_obstacles = settings.solver, len(shapes)
+        self._n_pairs = n_parts(footprint) * max((n_parts(shape) for shape in shapes), default=1)
+        arrange = Layout.stages if solver == "fatrop" else Layout.shared
+        self.layout = arrange(horizon, self._n_obstacles + 1)
+        self.formulation = formulate(self.layout, self._n_obstacles, self._n_pairs)
+        sample = stage(self._n_obstacles * self._n_pairs)
+        compiled = library(f"nonlinear_program_{solver}", functions(self.formulation, sample, solver))
+        self._evaluate = Buffered(ca.external("nlp", str(compiled)))
+        self._solver = Solver(solver, compiled, self.layout, self.formulation.n_rows)
+        self.model = PredictionModel(vehicle, friction, horizon)
+        self._vehicle, self._footprint, self._friction, self._actuation = vehicle, footprint, friction, actuation
+        turn = min(vehicle.steering_rate_limit * horizon.sample_time / INPUT_SCALE[DELTA], UNLIMITED)
+        self._constants = {"turn": turn} | _constants(goal, weights, settings, self._n_obstacles)
+        self._margin, self._sample_time = settings.clearance_margin, horizon.sample_time
+        self._data = np.append(ModelParameters.of(vehicle, friction, SLIP_SPEED_FLOOR).as_array(), horizon.sample_time)
+
+    def guess(self, question: Question, inputs: Array) -> Guess:
+        """A start at the roll-out of inputs (Np, 5), clipped to their bounds."""
+        scaled = np.clip(self.layout.held(inputs) / INPUT_SCALE, *self._range(question))
+        self._slow_down(scaled, question.command[DELTA] / INPUT_SCALE[DELTA])
+        inputs = scaled * INPUT_SCALE
+        states = self.model.roll_out(question.state, inputs, question.wheel_loads).states
+        x = np.zeros(self.layout.n)
+        x[self.layout.inputs], x[self.layout.previous] = scaled[: self.layout.n_free], scaled
+        x[self.layout.states] = states[1:]
+        p = self.parameters(question)
+        missed = np.maximum(0.0, -self._by_sample(self._evaluate(x=x, p=p)["g"])[:, :-N_TURNS].min(axis=0))
+        violations = np.maximum.reduceat(missed, 2 * self._n_pairs * np.arange(self.layout.n_slacks))
+        x[self.layout.slacks] = violations
+        return Guess(inputs, states, x, violations, cost=float(self._evaluate(x=x, p=p)["f"][0]))
+
+    def solve(self, question: Question, guess: Guess) -> Answer:
+        """The local minimum that the solver finds from a guess."""
+        start = guess.x.copy()
+        start[self.layout.slacks] += INTERIOR
+        lower, upper = self.bounds(question)
+        out, is_solved, iterations = self._solver(
+            x0=start,
+            p=self.parameters(question),
+            lbx=lower,
+            ubx=upper,
+            lbg=self.formulation.lower,
+            ubg=self.formulation.upper,
+        )
+        x = out["x"]
+        return Answer(
+            inputs=x[self.layout.previous] * INPUT_SCALE,
+            states=np.vstack([question.state, x[self.layout.states]]),
+            violations=x[self.layout.slacks[-1]],
+            cost=float(out["f"][0]),
+            is_solved=is_solved,
+            iterations=iterations,
+            x=x,
+            rows=out["g"],
+            bound_multipliers=out["lam_x"],
+            row_multipliers=out["lam_g"],
+        )
+
+    def bounds(self, question: Question) -> tuple[Array, Array]:
+        """Smallest and largest value of each variable."""
+        lower, upper = np.full(self.layout.n, -np.inf), np.full(self.layout.n, np.inf)
+        lower[self.layout.inputs], upper[self.layout.inputs] = self._range(question)
+        lower[self.layout.slacks] = 0.0
+        return lower, upper
+
+    def parameters(self, question: Question) -> Array:
+        """The vector p of all parameters."""
+        seen = self._pairs(question)
+        data = np.concatenate([question.wheel_loads, self._data, seen.ravel()])
+        values = Parameters(
+            state=question.state,
+            command=question.command / INPUT_SCALE,
+            data=data,
+            margins=self._margin + self._sagitta(question.state, seen),
+            **self._constants,
+        )
+        return np.concatenate([np.atleast_1d(np.asarray(value, dtype=float)) for value in values])
+
+    def _pairs(self, question: Question) -> Array:
+        """The numbers of all pairs (n_obstacles n_pairs, N_PAIR), of the nearest obstacles if there are too many."""
+        here = question.state[[X, Y]]
+        found = np.tile(NOWHERE, (self._n_obstacles, self._n_pairs, 1))
+        found[..., CENTRE] += here
+        nearest = sorted(question.obstacles, key=lambda each: float(np.hypot(*(each.position_at(0.0) - here))))
+        for place, obstacle in zip(found, nearest, strict=False):
+            numbers = [pair.as_tuple() for pair in pairs(self._footprint, obstacle)][: self._n_pairs]
+            place[: len(numbers)] = numbers
+        return found.reshape(-1, N_PAIR)
+
+    def _sagitta(self, state: Array, seen: Array) -> Array:
+        """How far a chord of half a sample's length cuts into each pair's ellipse where it is roundest (n,) [m].
+
+        What keeps clear by as much at both ends keeps clear between them, too.
+        """
+        cos, sin = np.cos(state[PSI]), np.sin(state[PSI])
+        velocity = (cos * state[VX] - sin * state[VY], sin * state[VX] + cos * state[VY])
+        chord = np.linalg.norm(velocity - seen[:, SPEED], axis=1) * self._sample_time / 2
+        semi_axes = seen[:, SEMI_AXES]
+        return np.asarray(chord**2 / (8 * semi_axes.min(axis=1) ** 2 / semi_axes.max(axis=1)))
+
+    def _slow_down(self, scaled: Array, reached: float) -> None:
+        """Let the steering angles of `scaled` inputs (Np, 5) turn no faster than they can."""
+        for u in scaled:
+            reached += min(max(u[DELTA] - reached, -self._constants["turn"]), self._constants["turn"])
+            u[DELTA] = reached
+
+    def gap_multipliers(self, answer: Answer) -> Array:
+        """Multipliers (Np, 2 n) of the rows that keep the n pairs clear [1/m]."""
+        return self._by_sample(answer.row_multipliers)[:, : -2 * N_SLIPS - N_TURNS]
+
+    def _by_sample(self, of_rows: Array) -> Array:
+        """Of the rows' values, those of each sample beside the dynamics, (Np, n_rows)."""
+        return np.asarray(of_rows.reshape(self.layout.n_samples, -1)[:, -self.formulation.n_rows :])
+
+    def largest(self, question: Question) -> Array:
+        """(5,) largest magnitude of each input [rad, N, N, N, N]."""
+        share = self._vehicle.force_limit * self._friction
+        loads = np.maximum(question.wheel_loads, LEAST_LOAD)
+        return np.append(self._vehicle.steering_limit, share * loads)
+
+    def _range(self, question: Question) -> tuple[Array, Array]:
+        """(5,) smallest and largest value of each input, in units of INPUT_SCALE."""
+        largest = self.largest(question) / INPUT_SCALE
+        return self._actuation.lower * largest, self._actuation.upper * largest
+
+
+def _constants(goal: Goal, weights: Weights, settings: NonlinearSettings, n_obstacles: int) -> dict[str, Any]:
+    """The parameters that stay the same from solve to solve."""
+    rates = np.full(INPUT_SCALE.size, weights.force_rate)
+    rates[DELTA] = weights.steering_rate
+    of_obstacles = np.ones(n_obstacles)
+    return {
+        "goal": (goal.speed, 0.0, goal.lateral_offset),
+        "tracking": (weights.speed, weights.lateral_speed, weights.lateral_offset),
+        "rates": rates * INPUT_SCALE**2,
+        "force": settings.force_weight * INPUT_SCALE[FORCES][0] ** 2,
+        "slip_limit": settings.slip_limit,
+        "linear": np.append(settings.clearance_penalty * of_obstacles, settings.slip_penalty),
+        "quadratic": np.append(settings.clearance_penalty_quadratic * of_obstacles, settings.slip_penalty_quadratic),
+    }

@@ -1,0 +1,128 @@
+"""A scenario as the limit sees it: one vehicle, one friction, and obstacles that are shifted along X alike.
+
+The distance is that of the first obstacle ahead, from the ego vehicle's centre of gravity to its centre, along X. A
+shift moves all obstacles by as much, so that what lies between them stays.
+"""
+
+from dataclasses import dataclass, replace
+from math import sqrt
+from typing import Final, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swerve.conventions import GRAVITY
+from swerve.errors import InputError
+from swerve.scenario import Scenario
+from swerve.study.limit.shifted import shifted
+from swerve.vehicle import Vehicle
+from swerve.world import Footprint, Obstacle, Road
+
+Array = NDArray[np.float64]
+
+AHEAD: Final = np.array([[1.0, 0.0], [-1.0, 0.0]])
+ASIDE: Final = np.array([[0.0, 1.0], [0.0, -1.0]])
+FORESEEN: Final = np.arange(0.0, 10.0, 0.1)  # [s] when an obstacle's speed is looked at
+WALKING: Final = 1.0  # [m/s]
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What is given of the problem.
+
+    Attributes:
+        name: of the scenario.
+        vehicle: with its limits.
+        footprint: of it.
+        start: (6,) state at time zero.
+        friction: mu [1].
+        road: with edges or without.
+        obstacles: as the scenario has them.
+        distance: of the first one ahead [m].
+    """
+
+    name: str
+    vehicle: Vehicle
+    footprint: Footprint
+    start: Array
+    friction: float
+    road: Road
+    obstacles: tuple[Obstacle, ...]
+    distance: float
+
+    @classmethod
+    def of(cls, scenario: Scenario) -> Self:
+        """The scene in a scenario; InputError where there is no obstacle ahead, or more than one friction."""
+        if scenario.road.patches:
+            raise InputError("road.patches: a limit is that of one friction for all wheels; leave the patches out")
+        ego = scenario.ego
+        start = np.array([ego.speed, 0.0, 0.0, ego.heading, *ego.position])
+        obstacles = tuple(each.to_world() for each in scenario.obstacles)
+        places = [float(each.position_at(0.0)[0]) - ego.position[0] for each in obstacles]
+        ahead = [place for place in places if place > 0]
+        if not ahead:
+            raise InputError("obstacles: none is ahead; a limit needs one at a larger X than ego.position")
+        road, friction = scenario.road.to_world(), scenario.road.friction
+        return cls(scenario.name, ego.to_vehicle(), ego.to_footprint(), start, friction, road, obstacles, min(ahead))
+
+    @property
+    def speed(self) -> float:
+        """vx at time zero [m/s]."""
+        return float(self.start[0])
+
+    @property
+    def slowest(self) -> float:
+        """The smallest speed along X that an obstacle comes to, no less than standstill [m/s]."""
+        return max(0.0, self._slowest)
+
+    @property
+    def closing(self) -> float:
+        """The largest speed at which an obstacle is neared, no less than walking pace [m/s]."""
+        return max(self.speed - self._slowest, WALKING)
+
+    @property
+    def time_aside(self) -> float:
+        """How long a point mass takes to go aside by `room`, sqrt(2 w / (mu g)) [s]."""
+        return sqrt(2 * self.room / self.grip)
+
+    @property
+    def is_oncoming(self) -> bool:
+        """Whether an obstacle comes towards the vehicle, so that none can stay behind it."""
+        return self._slowest < 0
+
+    @property
+    def _slowest(self) -> float:
+        return min(float(each.velocity_at(FORESEEN)[:, 0].min()) for each in self.obstacles)
+
+    @property
+    def room(self) -> float:
+        """How far aside the widest obstacle makes the vehicle go [m]."""
+        own = float(self.footprint.support(ASIDE).max())
+        return own + max(float(reach(each, ASIDE).max()) for each in self.obstacles)
+
+    @property
+    def depth(self) -> float:
+        """From the first obstacle's centre ahead to where the vehicle is past them all, standing still [m]."""
+        ends = [float(each.position_at(0.0)[0] + reach(each, AHEAD)[0]) for each in self.obstacles]
+        return max(ends) - float(self.start[4]) - self.distance + float(self.footprint.support(AHEAD)[1])
+
+    @property
+    def grip(self) -> float:
+        """Largest acceleration of a point mass, mu g [m/s^2]."""
+        return self.friction * GRAVITY
+
+    def at(self, distance: float) -> "Scene":
+        """The same scene with all obstacles shifted so that the first is at `distance` [m]."""
+        shift = distance - self.distance
+        return replace(self, obstacles=tuple(shifted(each, shift) for each in self.obstacles), distance=distance)
+
+    def on(self, friction: float) -> "Scene":
+        """The same scene on another friction [1]."""
+        return replace(self, friction=friction)
+
+
+def reach(obstacle: Obstacle, directions: Array, time: float = 0.0) -> Array:
+    """How far an obstacle reaches from its centre at a time [s] in each of (n, 2) unit directions of the world [m]."""
+    heading = obstacle.heading_at(time)
+    cos, sin = np.cos(heading), np.sin(heading)
+    return obstacle.shape.support(directions @ np.array([[cos, -sin], [sin, cos]]))
