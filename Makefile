@@ -9,7 +9,7 @@ PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test lint bench numbers library pictures docs clean
+.PHONY: help demo test slow lint bench numbers library pictures docs clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST) | expand -t 14
@@ -17,8 +17,11 @@ help: ## list the targets
 demo: $(VENV)/.installed ## drive the paper's scenario; a table here, figures in demo/
 	$(BIN)/swerve run paper --out demo
 
-test: $(VENV)/.installed-dev $(VENV)/.browser ## run the tests
-	$(BIN)/python -m pytest -n 2
+test: $(VENV)/.installed-dev $(VENV)/.browser ## run the tests, but for the slow ones
+	$(BIN)/python -m pytest -n 2 -m "not slow"
+
+slow: $(VENV)/.installed-dev ## run the tests that take longer than ten seconds each
+	$(BIN)/python -m pytest -n 2 -m slow
 
 lint: $(VENV)/.installed-dev ## check style, format, types and the layers' imports
 	$(BIN)/ruff check .

@@ -1,12 +1,12 @@
 """The loop: sense, control, move; one call each a sample, everything logged with its unit."""
 
+import json
 import math
 from typing import Any
 
 import numpy as np
 import pytest
 
-from swerve.control import Side
 from swerve.errors import InputError
 from swerve.plant import PlanarPlant, PlantState, Trace
 from swerve.scenario import Scenario, load
@@ -134,17 +134,19 @@ def test_the_log_keeps_what_was_commanded(fake: list[FakeController]) -> None:
     np.testing.assert_allclose(done.log.motion.stack("Fx_fl", "Fx_fr", "Fx_rl", "Fx_rr")[20], [1, 2, 3, 4])
 
 
-def test_both_sides_are_in_the_log() -> None:
-    """Where an obstacle shaped the plan, cost and missed margin of both sides stand beside the side that was taken."""
+def test_every_branch_is_in_the_log() -> None:
+    """Name, cost and faults of all that was tried stand beside what was taken, with the reason and what holds it."""
     done = run(load("paper", SHORT), "unified", "planar")
-    sides = done.log.steps["side"]
-    shaped = np.flatnonzero(sides != "")
-    assert len(shaped) > 0
-    for k in shaped:
-        assert sides[k] == done.plans[k].side.name.lower()
-        for branch in done.plans[k].branches:
-            assert done.log.steps[f"cost_{branch.side.name.lower()}"][k] == branch.cost
-    assert {side.name.lower() for side in Side} >= set(sides[shaped])
+    steps = done.log.steps
+    assert (steps["side"] != "").any()
+    for k, plan in enumerate(done.plans):
+        assert steps["branch"][k] == plan.name
+        assert steps["reason"][k] == plan.reason
+        assert steps["active"][k] == ", ".join(plan.active)
+        assert steps["side"][k] == (plan.side.name.lower() if plan.side else "")
+        told = json.loads(steps["branches"][k])
+        assert [each["name"] for each in told] == [branch.name for branch in plan.branches]
+        assert [each["cost"] for each in told] == [branch.cost for branch in plan.branches]
 
 
 def test_progress_is_a_share(fake: list[FakeController]) -> None:
