@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 PREVIEW: Final = 0.5  # [1] times the time that a point mass takes to go aside
 PEAK_SLIP: Final = 0.12  # [rad] of the front wheels, near the tyre's peak
 GENTLE_SLIP: Final = 0.08  # [rad]
-MARGIN: Final = 0.4  # [m] beside an obstacle
+MARGIN: Final = 0.3  # [m] beside an obstacle
 NEAREST: Final = 0.9  # [1] times the distance at which a point mass goes aside: the first that is tried
 GROWTH: Final = 1.1  # [1] from one distance that is tried to the next
 TRIALS: Final = 20
@@ -62,13 +62,21 @@ class Start:
 
 
 def starts(scene: Scene, means: Means) -> list[Start]:
-    """The ways that are tried."""
+    """The ways that are tried: those for which the road has room."""
     if means is Means.BRAKING:
         return [] if scene.is_oncoming else [Start(Ending.BEHIND, (), 1.0)]
     steering = ((0.0, PEAK_SLIP), (0.0, GENTLE_SLIP))
     hows = steering if means is Means.STEERING else ((0.3, PEAK_SLIP), (0.7, PEAK_SLIP))
     n = min(len(scene.obstacles), MOST_SIDES)
-    return [Start(Ending.PAST, sides, *how) for sides in product((1, -1), repeat=n) for how in hows]
+    tried = [Start(Ending.PAST, sides, *how) for sides in product((1, -1), repeat=n) for how in hows]
+    return [start for start in tried if _is_on_road(scene, start)]
+
+
+def _is_on_road(scene: Scene, start: Start) -> bool:
+    """Whether its path keeps the road's edges."""
+    levels = _path(scene, start)[1]
+    poses = np.column_stack((np.zeros_like(levels), levels, np.zeros_like(levels)))
+    return bool(scene.road.is_inside(scene.footprint, poses).all())
 
 
 def guess(scene: Scene, start: Start, sought: Sought) -> Trajectory:

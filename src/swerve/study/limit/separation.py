@@ -9,7 +9,7 @@ which is exact for convex bodies. One line for both ends keeps the chord between
 rectangle has corners, so a rectangle's four vertices v have an offset d of their own:  n . v <= d <= n . q + s.
 """
 
-from typing import Any
+from typing import Any, Final
 
 import casadi as ca
 import numpy as np
@@ -20,7 +20,8 @@ from swerve.world import Ellipse, Footprint, Obstacle, Rectangle, Shape
 
 Array = NDArray[np.float64]
 
-N_CORNERS = 4
+N_CORNERS: Final = 4
+OFFSET: Final = 0.1  # [m] of a line from the obstacle, where there is room for it
 
 
 def extents(shape: Shape) -> tuple[float, float]:
@@ -78,7 +79,8 @@ def best_lines(shape: Shape, seen: Array, n_angles: int = 180) -> Array:
     nearest = (seen @ normals.T).min(axis=1)
     best = np.argmax(nearest - support, axis=1)
     rows = np.arange(len(seen))
-    offsets = np.maximum(support[best], (support[best] + nearest[rows, best]) / 2)
+    gap = nearest[rows, best] - support[best]
+    offsets = support[best] + np.clip(gap / 2, 0.0, OFFSET)  # stays right while the obstacle comes nearer
     return np.column_stack((np.unwrap(angles[best]), offsets))
 
 
