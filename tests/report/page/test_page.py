@@ -81,11 +81,13 @@ def test_it_plays_and_pauses(report: Path, opened: Open) -> None:
     page = opened(report)
     before = [_ink(page, name) for name in ("view", "wheels")]
     page.locator("#speed").select_option("0.5")
+    began = page.evaluate("performance.now()")
     page.locator("#play").click()
     page.wait_for_timeout(1000)
     page.locator("#play").click()
+    lasted = (page.evaluate("performance.now()") - began) / 1000  # a busy machine takes its time to click
     reached = _time(page)
-    assert 0.3 < reached < 0.9
+    assert 0.3 < reached <= 0.5 * lasted + 0.05
     assert all(_ink(page, name) != was for name, was in zip(("view", "wheels"), before, strict=True))
     page.wait_for_timeout(200)
     assert _time(page) == reached
@@ -103,6 +105,7 @@ def test_it_stops_at_the_end_and_starts_anew(report: Path, opened: Open) -> None
     assert _time(page) < 1.0
 
 
+@pytest.mark.slow
 def test_it_plays_smoothly(report: Path, opened: Open) -> None:
     """At full speed the page draws at least 30 frames a second, drawing included."""
     page = opened(report)
@@ -330,6 +333,7 @@ def test_a_comparison_has_every_car(tmp_path: Path, opened: Open) -> None:
     assert page.locator(".legend", has_text="as-printed").count() == 9
 
 
+@pytest.mark.slow
 def test_ten_seconds_are_written_in_two(tmp_path: Path) -> None:
     """The page of ten seconds, with four ways in each step, is written in two seconds and has at most 3 MB."""
     done = busy(with_ways(duration="10 s"))
