@@ -25,20 +25,20 @@ def distance(here: Scene, means: Means) -> float:
 
 @pytest.mark.slow
 def test_the_papers_scene() -> None:
-    """14.9 m with all means, little more with brakes alike left and right; more means are never worse."""
+    """14.9 m with wheel torques, little more with brakes alike left and right; more means are never worse."""
     found = {means: distance(PAPER, means) for means in Means}
     bound = smallest_distance(PAPER)
     assert bound < found[Means.INDIVIDUAL] <= 14.9
-    assert found[Means.INDIVIDUAL] <= found[Means.BOTH] <= 15.0
-    assert found[Means.BOTH] <= found[Means.STEERING] <= 15.6
+    assert found[Means.INDIVIDUAL] <= found[Means.BOTH] <= 14.95
+    assert found[Means.BOTH] <= found[Means.STEERING] <= 15.35
     assert found[Means.BRAKING] == pytest.approx(27.2, abs=0.3)
 
 
 @pytest.mark.slow
 def test_three_percent_less_cannot_be_avoided() -> None:
     """At 0.97 of the limit every start overlaps the obstacle by more than 10 cm."""
-    shortest = distance(PAPER, Means.INDIVIDUAL)
-    assert least_violation(PAPER.at(0.97 * shortest), Means.INDIVIDUAL) > 0.1
+    for means in (Means.STEERING, Means.BOTH, Means.INDIVIDUAL):
+        assert least_violation(PAPER.at(0.97 * distance(PAPER, means)), means) > 0.1
 
 
 @pytest.mark.slow
@@ -47,6 +47,31 @@ def test_a_mirrored_scene_has_the_same_limit() -> None:
     left, right = (distance(scene(OFFSET.format(y)), Means.INDIVIDUAL) for y in (0.8, -0.8))
     assert left == pytest.approx(right, rel=0.01)
     assert left < distance(PAPER, Means.INDIVIDUAL)
+
+
+@pytest.mark.slow
+def test_every_start_agrees() -> None:
+    """Left or right, braking little or much: all come within 1 % of the same distance."""
+    found = best(PAPER, Means.BOTH, Sought.DISTANCE)
+    assert found is not None and found.n_agreeing == found.n_starts == 4
+
+
+@pytest.mark.slow
+def test_the_friction_and_the_distance_are_two_sides_of_one_limit() -> None:
+    """On the least friction at 25 m, 25 m is the smallest distance."""
+    least = best(PAPER, Means.STEERING, Sought.FRICTION)
+    assert least is not None and least.drive.is_avoided
+    assert distance(PAPER.on(least.trajectory.friction), Means.STEERING) == pytest.approx(25.0, rel=0.02)
+
+
+@pytest.mark.slow
+def test_two_rectangles_between_edges() -> None:
+    """Past two parked cars the manoeuvre goes left, then right, and stays on the road."""
+    here = Scene.of(load("slalom"))
+    found = best(here, Means.BOTH, Sought.DISTANCE)
+    assert found is not None
+    assert found.drive.is_avoided and found.drive.is_inside and found.drive.ratio is None
+    assert smallest_distance(here) < found.trajectory.distance < 17.5
 
 
 @pytest.mark.slow

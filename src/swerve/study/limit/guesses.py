@@ -67,7 +67,7 @@ def starts(scene: Scene, means: Means) -> list[Start]:
         return [] if scene.is_oncoming else [Start(Ending.BEHIND, (), 1.0)]
     steering = ((0.0, PEAK_SLIP), (0.0, GENTLE_SLIP))
     hows = steering if means is Means.STEERING else ((0.3, PEAK_SLIP), (0.7, PEAK_SLIP))
-    n = min(len(scene.obstacles), MOST_SIDES)
+    n = min(sum(map(scene.is_passed, scene.obstacles)), MOST_SIDES)
     tried = [Start(Ending.PAST, sides, *how) for sides in product((1, -1), repeat=n) for how in hows]
     return [start for start in tried if _is_on_road(scene, start)]
 
@@ -154,7 +154,7 @@ def _path(scene: Scene, start: Start) -> tuple[Array, Array]:
     """Knots of the path: where the vehicle starts, and beside each obstacle where it is when that is passed."""
     own = float(scene.footprint.support(ASIDE).max())
     knots = [(float(scene.start[X]), float(scene.start[Y]))]
-    order = sorted(scene.obstacles, key=lambda each: float(each.position_at(0.0)[0]))
+    order = sorted(filter(scene.is_passed, scene.obstacles), key=lambda each: float(each.position_at(0.0)[0]))
     for i, obstacle in enumerate(order):
         closing = max(scene.speed - obstacle.velocity_at(0.0)[0], 1.0)
         time = max(0.0, obstacle.position_at(0.0)[0] - scene.start[X]) / closing

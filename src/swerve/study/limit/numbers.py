@@ -75,7 +75,7 @@ def rows(layout: Layout, scene: Scene, grid: Grid) -> tuple[Array, Array]:
         first = layout.rows["rate"].start
         lower[first], upper[first] = -change / 2, change / 2
     own = float(scene.footprint.support(AHEAD)[1])
-    ends = [own + reach(each, AHEAD, grid.times[-1])[0] for each in scene.obstacles]
+    ends = [own + reach(each, AHEAD, grid.times[-1])[0] if scene.is_passed(each) else -inf for each in scene.obstacles]
     lower[layout.rows["past"]] = ends if grid.ending is Ending.PAST else -inf
     return lower, upper
 

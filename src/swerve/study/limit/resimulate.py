@@ -123,5 +123,6 @@ def _is_stable(scene: Scene, found: Trajectory, time: float, end: Array) -> bool
     if found.grid.ending is Ending.BEHIND:
         return bool(is_straight and end[VX] <= scene.slowest + LOOSER * CREEP)
     own = float(scene.footprint.support(AHEAD)[1])
-    past = [end[X] - each.position_at(time)[0] - reach(each, AHEAD, time)[0] - own for each in scene.obstacles]
-    return bool(is_straight and min(past) >= -PAST)
+    passed = filter(scene.is_passed, scene.obstacles)
+    past = [end[X] - each.position_at(time)[0] - reach(each, AHEAD, time)[0] - own for each in passed]
+    return bool(is_straight and min(past, default=0.0) >= -PAST)

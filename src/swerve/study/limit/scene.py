@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 AHEAD: Final = np.array([[1.0, 0.0], [-1.0, 0.0]])
 ASIDE: Final = np.array([[0.0, 1.0], [0.0, -1.0]])
 FORESEEN: Final = np.arange(0.0, 10.0, 0.1)  # [s] when an obstacle's speed is looked at
+STRAYING: Final = 0.1  # [m/s] across the road, which is none
 WALKING: Final = 1.0  # [m/s]
 
 
@@ -52,7 +53,7 @@ class Scene:
 
     @classmethod
     def of(cls, scenario: Scenario) -> Self:
-        """The scene in a scenario; InputError where there is no obstacle ahead, or more than one friction."""
+        """The scene in a scenario; InputError for no obstacle ahead, one that crosses, or more than one friction."""
         if scenario.road.patches:
             raise InputError("road.patches: a limit is that of one friction for all wheels; leave the patches out")
         ego = scenario.ego
@@ -62,6 +63,11 @@ class Scene:
         ahead = [place for place in places if place > 0]
         if not ahead:
             raise InputError("obstacles: none is ahead; a limit needs one at a larger X than ego.position")
+        for i, each in enumerate(obstacles):
+            across = float(np.abs(each.velocity_at(FORESEEN)[:, 1]).max())
+            if across > STRAYING:
+                told = f"moves across the road at {across:.2g} m/s, so that there is no one smallest distance"
+                raise InputError(f"obstacles.{i}: {told}; a limit takes obstacles at rest or along X")
         road, friction = scenario.road.to_world(), scenario.road.friction
         return cls(scenario.name, ego.to_vehicle(), ego.to_footprint(), start, friction, road, obstacles, min(ahead))
 
@@ -74,6 +80,10 @@ class Scene:
     def slowest(self) -> float:
         """The smallest speed along X that an obstacle comes to, no less than standstill [m/s]."""
         return max(0.0, self._slowest)
+
+    def is_passed(self, obstacle: Obstacle) -> bool:
+        """Whether an obstacle is slower, so that the vehicle comes past it; beside any other one it keeps clear."""
+        return bool(obstacle.velocity_at(0.0)[0] < self.speed - WALKING)
 
     @property
     def closing(self) -> float:
@@ -103,8 +113,9 @@ class Scene:
     @property
     def depth(self) -> float:
         """From the first obstacle's centre ahead to where the vehicle is past them all, standing still [m]."""
-        ends = [float(each.position_at(0.0)[0] + reach(each, AHEAD)[0]) for each in self.obstacles]
-        return max(ends) - float(self.start[4]) - self.distance + float(self.footprint.support(AHEAD)[1])
+        passed = filter(self.is_passed, self.obstacles)
+        ends = [float(each.position_at(0.0)[0] + reach(each, AHEAD)[0]) for each in passed]
+        return max(ends, default=0.0) - float(self.start[4]) - self.distance + float(self.footprint.support(AHEAD)[1])
 
     @property
     def grip(self) -> float:
