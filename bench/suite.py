@@ -54,7 +54,7 @@ def _step(scenario: Scenario) -> Table:
         rows.append(row(part, methodcaller("total", part), n_calls / n_steps))
     rows += [row("rest", attrgetter("rest"), None), row("step", attrgetter("duration"), None)]
     rows.append(["limit", *STEP_LIMITS, None, None])
-    title = f"Unified controller's step, paper's scenario, closed loop, both sides, median of {N_RUNS} runs [ms]"
+    title = f"Unified controller's step, paper's scenario, closed loop, all ways, median of {N_RUNS} runs [ms]"
     return Table("unified_step", title, ("part", *TIMES, "share in %", "calls"), rows)
 
 
