@@ -122,7 +122,7 @@ def test_a_known_delay_is_made_up_for() -> None:
 
 def test_noise_is_the_seeds_alone() -> None:
     """The same seed gives the same run, another seed another one."""
-    noisy = load("static-20", ["duration=0.5", "sensing.noise={speed=0.1, position=0.05, yaw_rate=0.01}"])
+    noisy = load("static-20", ["duration=1", "sensing.noise={speed=0.1, position=0.05, yaw_rate=0.01}"])
     runs = [run(noisy, seed=seed).log.motion["Y"] for seed in (3, 3, 4)]
     np.testing.assert_array_equal(runs[0], runs[1])
-    assert np.abs(runs[0] - runs[2]).max() > 1e-4
+    assert np.abs(runs[0] - runs[2]).max() > 1e-3

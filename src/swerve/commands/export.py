@@ -5,6 +5,8 @@ import sys
 from pathlib import Path
 from typing import Any, Final
 
+from swerve.commands.printing import print_paths
+
 READ_SHARE: Final = 0.1  # of the time that an export takes, what reading takes [1]
 
 
@@ -27,6 +29,5 @@ def _export(options: argparse.Namespace) -> int:
         run = read_run_folder(options.directory)
         prepare_output(directory)
         paths = write_exports(run, formats, directory, progress.part(READ_SHARE, 1.0))
-    for path in paths:
-        print(f"wrote {path}")
+    print_paths(paths, sys.stdout)
     return 0

@@ -10,7 +10,7 @@ from swerve.errors import InputError, unknown
 MEANS: Final = ("braking", "steering", "both", "individual")  # `study.limit.Means`, which takes long to import
 
 
-def add_commands(commands: Any) -> None:
+def add_command(commands: Any) -> None:
     """Add it to a parser's `commands`."""
     limit = commands.add_parser(
         "limit", help="smallest distance and friction at which any control could still avoid", allow_abbrev=False

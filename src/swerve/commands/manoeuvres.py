@@ -16,7 +16,7 @@ OPTIONS: Final = {"speed": "speed", "friction": "dimensionless"}  # by the param
 RANGES: Final = {"speed": (1.0, 100.0, "m/s"), "friction": (0.01, 2.0, "")}  # within which a test means something
 
 
-def add_commands(commands: Any) -> None:
+def add_command(commands: Any) -> None:
     """Add both to a parser's `commands`."""
     library = commands.add_parser("manoeuvres", help="list the library of manoeuvres", allow_abbrev=False)
     library.set_defaults(call=_library)

@@ -8,6 +8,7 @@ from contextlib import nullcontext
 from pathlib import Path
 from typing import Any, Final
 
+from swerve.commands.printing import print_paths
 from swerve.errors import InputError, unknown
 
 MOST_WORKERS: Final = 64
@@ -17,7 +18,7 @@ Progress = Callable[[float], None]  # takes the share that is done, from 0 to 1
 Study = Callable[[Path, int, Executor | None, Callable[[float, float], Progress]], list[Path]]
 
 
-def add_commands(commands: Any) -> None:
+def add_command(commands: Any) -> None:
     """Add it to a parser's `commands`."""
     study = commands.add_parser("study", help="run many scenes, and write a table", allow_abbrev=False)
     study.set_defaults(call=_study)
@@ -40,8 +41,7 @@ def _study(options: argparse.Namespace) -> int:
     pool = nullcontext() if options.workers == 1 else ProcessPoolExecutor(options.workers)
     with Progress(sys.stderr) as progress, pool as executor:
         paths = STUDIES[options.name](options.out, options.seed, executor, progress.part)
-    for path in paths:
-        print(f"wrote {path}")
+    print_paths(paths, sys.stdout)
     return 0
 
 

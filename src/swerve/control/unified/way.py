@@ -1,4 +1,4 @@
-"""A way through a scene: for each obstacle, how it is passed; and all ways that are worth a look.
+"""A way through a scene, its homotopy class: for each obstacle, how it is passed; and all that are worth a look.
 
 Only obstacles in the path, those that the vehicle would touch if it just went on, are decided about. The others keep
 the side on which they are passed anyway, but for ways on which all are passed on one side.
