@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from swerve.control.plan import Passing
 from swerve.control.unified import improve as module
 from swerve.control.unified.deadline import PROGRAM, ROLL_OUT, Deadline
+from swerve.control.unified.held import Held
 from swerve.control.unified.improve import SMALLEST_TRUST, WayPlan, improve
 from swerve.control.unified.situation import Situation
 from swerve.qp import Problem, Solution
@@ -88,9 +89,52 @@ def test_left_and_right_are_mirror_images() -> None:
     np.testing.assert_allclose(left.trajectory.states[:, 5], -right.trajectory.states[:, 5], atol=1e-5)
 
 
+def nothing(problem: Problem, *rest: Any, **named: Any) -> Solution:
+    """A solver without an answer."""
+    return Solution.without_answer(problem, Status.FAILED, 0, "none")
+
+
+def test_what_the_first_solver_fails_at_the_second_one_answers(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The plan is that of the first one, had it not failed, and no failure is counted."""
+    before = begun(situation((Passing.LEFT,), AHEAD))
+    wanted = improve(before, 1)
+    solve = module.solve
+
+    def failing(problem: Problem, solver: str = "daqp", **named: Any) -> Solution:
+        return nothing(problem) if solver == "daqp" else solve(problem, solver, **named)
+
+    monkeypatch.setattr(module, "solve", failing)
+    found = improve(before, 1)
+    assert (found.n_solved, found.n_failed) == (1, 0)
+    np.testing.assert_allclose(found.step.trajectory.states, wanted.step.trajectory.states, atol=1e-3)
+    assert found.step.merit == pytest.approx(wanted.step.merit, rel=1e-4)
+
+
+def test_what_held_before_is_where_the_solver_begins() -> None:
+    """The same program again takes next to no iteration, and has the same answer."""
+    found = begun(situation((Passing.LEFT,), AHEAD))
+    program, sensitivities = found.situation.program, found.situation.sensitivities(found.step)
+    problem, labels = program.labelled(found.step.trajectory, sensitivities, found.situation.full_trust)
+    assert len(set(labels.tolist())) == len(problem.row_lower)
+    cold = module.solve(problem)
+    held = Held.by(cold, labels)
+    warm = module.solve(problem, warm_start=held.start(problem.gradient.size, labels))
+    assert warm.iterations < 0.2 * cold.iterations
+    np.testing.assert_allclose(warm.x, cold.x, atol=1e-7)
+
+
+def test_what_held_another_program_does_no_harm() -> None:
+    """Labels that are unknown hold nothing, and a program of another size begins without bounds."""
+    held = Held(np.ones(3), {7: 2.0, 9: -1.0})
+    begin = held.start(4, np.array([9, 8]))
+    np.testing.assert_array_equal(begin.bound_multipliers, np.zeros(4))
+    np.testing.assert_array_equal(begin.row_multipliers, [-1.0, 0.0])
+    np.testing.assert_array_equal(held.start(3, np.array([7])).bound_multipliers, np.ones(3))
+
+
 def test_a_program_without_an_answer_ends_it(monkeypatch: pytest.MonkeyPatch) -> None:
     """The plan stays what it was, with one failure counted."""
-    monkeypatch.setattr(module, "solve", lambda problem: Solution.without_answer(problem, Status.FAILED, 0, "none"))
+    monkeypatch.setattr(module, "solve", nothing)
     before = begun(situation((Passing.LEFT,), AHEAD))
     after = improve(before, 5)
     assert (after.n_solved, after.n_failed) == (0, 1)
@@ -100,8 +144,8 @@ def test_a_program_without_an_answer_ends_it(monkeypatch: pytest.MonkeyPatch) ->
 def test_a_promise_is_what_the_program_sees(monkeypatch: pytest.MonkeyPatch) -> None:
     """An answer that stays where it is promises nothing, so no roll-out is spent on it."""
 
-    def stay(problem: Problem, *rest: Any) -> Solution:
-        solution = solve(problem, *rest)
+    def stay(problem: Problem, *rest: Any, **named: Any) -> Solution:
+        solution = solve(problem, *rest, **named)
         x = solution.x.copy()
         x[: BLOCKING.n] = 0.0
         x[BLOCKING.n :] = solved_slacks(problem)

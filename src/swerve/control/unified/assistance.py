@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control.driver import DriverActuation
-from swerve.control.plan import Plan
+from swerve.control.plan import Plan, Side
 from swerve.control.unified.condensing import Blocking
 from swerve.control.unified.program import Program
 from swerve.control.unified.terms import DriverDeviation, Term
@@ -32,6 +32,7 @@ WINDOW: Final = 0.4  # [s] that a driver goes on: a plan that begins now may be 
 HANDING_BACK: Final = 0.3  # [s] time constant
 STEERING: Final = 1e3  # [1/rad^2] of a deviation from the driver's, in a sample
 FORCE: Final = 6e-7  # [1/N^2] of that of a wheel: of all four 1 kN costs what 0.05 rad does
+TURNED: Final = 0.01  # [rad] a deviation that is more than holding the lane
 LEFT_ALONE: Final = np.array([1e-3] + 4 * [12.5])  # [rad, N] a deviation that is none: of all wheels together 50 N
 
 
@@ -88,11 +89,17 @@ class Assistance:
         return (DriverDeviation(self.actuation.inputs(measurement), weights, self.blocking),)
 
     def told(self, plan: Plan, lead: Lead, measurement: Measurement) -> Plan:
-        """The plan, with what its first input is to the driver; where it is the driver's, no obstacle shaped it."""
+        """The plan, with what its first input is to the driver; where it is the driver's, no obstacle shaped it.
+
+        One that passes nothing has the side to which it turns the wheel for the sake of an obstacle.
+        """
         if measurement.driver is None:
             return plan
         deviation = self.deviation(plan.inputs[0], measurement)
         if (np.abs(deviation) <= LEFT_ALONE).all():
             return replace(plan, is_shaped=False, side=None, reason="the driver's input, which leaves a way clear")
         off = f"{deviation[DELTA]:+.3f} rad and {deviation[FORCES].sum():+.0f} N off"
-        return replace(plan, reason=f"{lead.value}; {off}; {plan.reason}")
+        turned = Side.LEFT if deviation[DELTA] > 0 else Side.RIGHT
+        is_held = any(name.startswith("obstacle") for name in plan.active)
+        side = turned if plan.side is None and is_held and abs(deviation[DELTA]) > TURNED else plan.side
+        return replace(plan, side=side, reason=f"{lead.value}; {off}; {plan.reason}")

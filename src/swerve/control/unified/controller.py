@@ -66,7 +66,7 @@ class UnifiedController(Controller[Memory]):
         for lead in leads[1:]:
             if leaves_a_way(plans):
                 break
-            planning, plans = _planned(replace(planning, deadline=Deadline(allowed, self._clock), lead=lead))
+            planning, plans = _planned(replace(planning, deadline=planning.deadline.again(allowed), lead=lead))
         if any(plan.n_solved for plan in plans):
             return self._take(planning, plans, measurement, memory)
         reason = Fallback.NO_SOLUTION if any(plan.n_failed for plan in plans) else Fallback.DEADLINE
@@ -87,6 +87,7 @@ class UnifiedController(Controller[Memory]):
             memory.after(plan.inputs[0]),
             {each.way.passing: each.step.trajectory.inputs for each in plans},
             {each.way.passing: each.trust for each in plans},
+            {each.way.passing: each.held for each in plans if each.held is not None},
             taken,
             taken if is_shaped else None,
             memory.forecasts,

@@ -6,13 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.control.unified.acceptance import Step, accept
-from swerve.control.unified.deadline import PROGRAM
+from swerve.control.unified.deadline import ITERATION, PROGRAM, ROW, SECOND_SOLVER
+from swerve.control.unified.held import Held
+from swerve.control.unified.limits.limit import Indices
 from swerve.control.unified.situation import Situation
 from swerve.control.unified.way import Way
-from swerve.qp import solve
+from swerve.qp import Problem, Solution, solve
 
 Array = NDArray[np.float64]
 
+SECOND = "piqp"  # solver of what the first one fails at
 CONVERGED = 5e-3  # [1] relative fall of the merit below which an iteration was the last
 NOTHING = 1e-6  # [1] relative fall of the merit that is not worth a roll-out
 SMALLEST_TRUST = 1 / 64  # [1] of the full trust region
@@ -28,6 +31,7 @@ class WayPlan:
         step: the trajectory and its merit.
         trust: size of the trust region, as a share of the full one [1].
         active: the limits that held the plan in a quadratic program of this step.
+        held: what held it in the last one, of this step or an earlier one; None before the first.
         n_solved: quadratic programs solved.
         n_failed: quadratic programs without an answer.
     """
@@ -36,6 +40,7 @@ class WayPlan:
     step: Step
     trust: float
     active: tuple[str, ...] = ()
+    held: Held | None = None
     n_solved: int = 0
     n_failed: int = 0
 
@@ -68,13 +73,14 @@ def improve(plan: WayPlan, iterations: int) -> WayPlan:
         if plan.n_solved + plan.n_failed and situation.deadline.is_over:
             break
         step = plan.step
-        situation.deadline.count(PROGRAM)
         trust = plan.trust * situation.full_trust
-        solution = solve(program.convex(step.trajectory, situation.sensitivities(step), trust))
+        problem, labels = program.labelled(step.trajectory, situation.sensitivities(step), trust)
+        solution = _solved(problem, labels, plan.held)
+        situation.deadline.count(_work(solution))
         if not solution.is_solved:
             return replace(plan, n_failed=plan.n_failed + 1)
         active = tuple(dict.fromkeys(plan.active + program.active(solution)))
-        plan = replace(plan, n_solved=plan.n_solved + 1, active=active)
+        plan = replace(plan, n_solved=plan.n_solved + 1, active=active, held=Held.by(solution, labels))
         promise = step.score.penalty - solution.cost
         if promise < NOTHING * (1 + step.merit):
             break
@@ -83,6 +89,18 @@ def improve(plan: WayPlan, iterations: int) -> WayPlan:
         if taken.length == 1 and step.merit - taken.merit < CONVERGED * (1 + taken.merit):
             break
     return plan
+
+
+def _solved(problem: Problem, labels: Indices, held: Held | None) -> Solution:
+    """By the active-set method, from what held before; where that cycles, by interior points, which do not."""
+    solution = solve(problem, warm_start=None if held is None else held.start(problem.gradient.size, labels))
+    return solution if solution.is_solved else solve(problem, SECOND)
+
+
+def _work(solution: Solution) -> float:
+    """What a program has taken [s]."""
+    solving = SECOND_SOLVER if solution.solver == SECOND else ITERATION * solution.iterations
+    return PROGRAM + ROW * len(solution.problem.row_lower) + solving
 
 
 def _resized(trust: float, length: float) -> float:

@@ -72,7 +72,7 @@ def pair() -> ca.Function:
         gap = _smaller_gap(allowed, first, second, p)
         best, widest = ca.if_else(gap > widest, allowed, best), ca.fmax(gap, widest)
     (gap_1, turning_1), (gap_2, turning_2) = _gap(best, first, p), _gap(best, second, p)
-    return ca.Function("lines", [first, second, p], [ca.vertcat(best, gap_1, gap_2, turning_1, turning_2)])
+    return ca.Function("lines", [first, second, p], [ca.cse(ca.vertcat(best, gap_1, gap_2, turning_1, turning_2))])
 
 
 def _candidates(middle: ca.SX, p: ca.SX) -> list[ca.SX]:

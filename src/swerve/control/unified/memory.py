@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from swerve.control.forecast import Forecast
 from swerve.control.plan import Passing, Plan
+from swerve.control.unified.held import Held
 from swerve.conventions import N_INPUTS
 
 Array = NDArray[np.float64]
@@ -22,6 +23,7 @@ class Memory:
         commands: (5,) inputs that were given, the last one first; as many as still matter.
         inputs: for each way that was planned, its plan's inputs (Np, 5).
         trust: for each of these ways, size of the trust region as a share of the full one [1].
+        held: what held each of these plans.
         taken: the way taken last; None before the first step.
         committed: that way, if an obstacle shaped a plan.
         forecasts: of each obstacle.
@@ -36,6 +38,7 @@ class Memory:
     commands: tuple[Array, ...]
     inputs: dict[Key, Array] = field(default_factory=dict)
     trust: dict[Key, float] = field(default_factory=dict)
+    held: dict[Key, Held] = field(default_factory=dict)
     taken: Key | None = None
     committed: Key | None = None
     forecasts: tuple[Forecast, ...] = ()

@@ -5,6 +5,7 @@ and obstacles that are passed at the same time leave room.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -98,24 +99,45 @@ def _target(meeting: _Meeting, lowest: float, highest: float, goal: float) -> fl
 
 
 def _meetings(scene: Scene, way: Way, duration: float) -> list[_Meeting]:
+    found = []
+    for i, (encounter, passing) in enumerate(zip(_encounters(scene, duration), way.passing, strict=True)):
+        if encounter is not None and passing is not Passing.BEHIND:
+            left, right = (encounter.left, np.inf), (-np.inf, encounter.right)
+            room = left if passing is Passing.LEFT else right
+            found.append(_Meeting(encounter.begins, encounter.ends, *room, i in way.threats))
+    return found
+
+
+@dataclass(frozen=True)
+class _Encounter:
+    """When an obstacle is beside the vehicle [s], and the Y that are just clear of it on either side then [m]."""
+
+    begins: float
+    ends: float
+    left: float
+    right: float
+
+
+@lru_cache(maxsize=4)
+def _encounters(scene: Scene, duration: float) -> tuple[_Encounter | None, ...]:
+    """With each obstacle, for a vehicle that keeps its speed; the ways of a step ask for the same ones."""
     elapsed = np.linspace(0.0, duration, LOOK)
     x = scene.start[X] + scene.speed * elapsed
-    footprint = scene.place.footprint
-    ahead, back = footprint.support([[1.0, 0.0], [-1.0, 0.0]])
-    found = []
-    for i, (forecast, passing) in enumerate(zip(scene.forecasts, way.passing, strict=True)):
-        if passing is Passing.BEHIND:
-            continue
+    place = scene.place
+    ahead, back = place.footprint.support([[1.0, 0.0], [-1.0, 0.0]])
+    found: list[_Encounter | None] = []
+    for forecast in scene.forecasts:
         at = forecast.position_at(scene.time + elapsed)
         forwards, sideways = _reach(forecast.shape, forecast.heading)
-        is_beside = (at[:, 0] - forwards - ROOM < x + ahead) & (x - back < at[:, 0] + forwards + ROOM)
-        if is_beside.any():
-            where, when = at[is_beside, 1], elapsed[is_beside]
-            lowest = float(where.max()) + sideways + scene.place.reach(Side.RIGHT) + scene.place.margin
-            highest = float(where.min()) - sideways - scene.place.reach(Side.LEFT) - scene.place.margin
-            room = (lowest, np.inf) if passing is Passing.LEFT else (-np.inf, highest)
-            found.append(_Meeting(float(when[0]), float(when[-1]), *room, i in way.threats))
-    return found
+        beside = np.flatnonzero((at[:, 0] - forwards - ROOM < x + ahead) & (x - back < at[:, 0] + forwards + ROOM))
+        if len(beside) == 0:
+            found.append(None)
+            continue
+        where, when = at[beside, 1], elapsed[beside]
+        left = float(where.max()) + sideways + place.reach(Side.RIGHT) + place.margin
+        right = float(where.min()) - sideways - place.reach(Side.LEFT) - place.margin
+        found.append(_Encounter(float(when[0]), float(when[-1]), left, right))
+    return tuple(found)
 
 
 def _reach(shape: Shape, heading: float) -> tuple[float, float]:

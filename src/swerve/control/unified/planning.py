@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from swerve.control.fallback import shifted
 from swerve.control.unified.acceptance import Step
 from swerve.control.unified.assistance import Lead
-from swerve.control.unified.choice import NEARLY, ON_ROAD
+from swerve.control.unified.choice import HOPELESS, NEARLY, ON_ROAD
 from swerve.control.unified.deadline import Deadline
 from swerve.control.unified.formulation import Formulation
 from swerve.control.unified.improve import TRUST_AFTER_A_STEP, WayPlan, improve
@@ -24,6 +24,7 @@ STOPPING = 2.0  # [m/s] a stop that is nearly done is not given up: from so slow
 Array = NDArray[np.float64]
 
 MOST_PLANNED = 4  # ways in one step
+SELDOM = 4  # steps between two looks at a spare way that misses too much to be mended
 DIGITS = 5  # of a price that count: mirrored ways cost the same but for rounding
 
 
@@ -51,7 +52,7 @@ class Planning:
         """The plans of the ways that were worth one, in the order in which equal ones are preferred.
 
         Where no obstacle is in reach of a plan all ways are one program, solved once; beside a way so far that is
-        clear, or nearly, the others are spare, and one of them in turn is improved.
+        clear, or nearly, the others are spare.
         """
         found = self._ways()
         first, *others = self._worth_planning(found)
@@ -59,8 +60,8 @@ class Planning:
         if not others or not plan.situation.is_near(plan.step):
             return [plan]
         is_spare = self._is_committed(first) and max(plan.violation, plan.off_road) <= NEARLY
-        turn = self.memory.count % len(others)
-        rest = [self._plan_other(way, is_spare=is_spare, in_turn=i == turn) for i, way in enumerate(others)]
+        begun = [self._begin(way) for way in others]
+        rest = self._spare(begun) if is_spare else self._others(begun)
         return sorted([plan, *rest], key=lambda each: found.index(each.way))
 
     def overlooked(self, plans: list[WayPlan]) -> "Planning | None":
@@ -107,21 +108,42 @@ class Planning:
         known = self.memory.inputs.get(key or self.memory.taken or ())
         nothing = np.zeros((self.formulation.horizon.prediction, N_INPUTS))
         step = situation.roll_out(nothing if known is None else shifted(known))
-        return WayPlan(situation, step, max(self.memory.trust.get(key or (), 1.0), TRUST_AFTER_A_STEP))
+        trust = max(self.memory.trust.get(key or (), 1.0), TRUST_AFTER_A_STEP)
+        return WayPlan(situation, step, trust, held=self.memory.held.get(key or ()))
 
     def _is_new(self, plan: WayPlan) -> bool:
         return self.memory.key_of(plan.way.passing, self.scene.threats) is None and _has_faults(plan)
 
-    def _plan_other(self, way: Way, *, is_spare: bool, in_turn: bool) -> WayPlan:
-        """The plan of a way beside the first; a spare one gets a single iteration in its turn, and no guesses."""
-        plan = self._begin(way)
-        if not is_spare:
-            return self._plan(plan)
-        if way.is_straight and _has_faults(plan):
-            plan = replace(plan, step=self._best_guess(plan))
-        return improve(plan, 1) if in_turn and not self.deadline.is_over else plan
+    def _others(self, begun: list[WayPlan]) -> list[WayPlan]:
+        """The plans of ways that are asked for, as that so far fails; one that failed before is begun anew in turn.
 
-    def _plan(self, plan: WayPlan) -> WayPlan:
+        What is new and whose turn it is come first, as the time may not last for all.
+        """
+        turn = self.memory.count % len(begun)
+        order = sorted(range(len(begun)), key=lambda i: (i != turn and not self._is_new(begun[i]), i))
+        found = {i: self._plan(begun[i], is_thorough=i == turn or self._is_new(begun[i])) for i in order}
+        return [found[i] for i in range(len(begun))]
+
+    def _spare(self, plans: list[WayPlan]) -> list[WayPlan]:
+        """The same plans, of which one in turn has had a single iteration."""
+        turn = self._turn([plan.violation <= HOPELESS for plan in plans])
+        if turn is None or self.deadline.is_over:
+            return plans
+        plan = plans[turn]
+        if plan.way.is_straight and _has_faults(plan):
+            plan = replace(plan, step=self._best_guess(plan))
+        return [*plans[:turn], improve(plan, 1), *plans[turn + 1 :]]
+
+    def _turn(self, may_go: list[bool]) -> int | None:
+        """Whose turn it is among spare ways, those that may go before all; None where it is nobody's."""
+        going = [i for i, goes in enumerate(may_go) if goes]
+        hopeless = [i for i, goes in enumerate(may_go) if not goes]
+        round_, rest = divmod(self.memory.count, SELDOM)
+        if hopeless and rest == 0:
+            return hopeless[round_ % len(hopeless)]
+        return going[self.memory.count % len(going)] if going else None
+
+    def _plan(self, plan: WayPlan, *, is_thorough: bool = True) -> WayPlan:
         """The plan of one way, from its shifted plan on; where that fails, from the best of the first guesses."""
         settings = self.formulation.settings
         if self._is_new(plan):
@@ -133,6 +155,8 @@ class Planning:
             return improve(plan, settings.iterations)
         if plan.way.is_straight:
             return self._mildest(plan)
+        if not is_thorough:
+            return plan
         guess = plan.step if self._is_new(plan) else self._best_guess(plan)
         return improve(replace(plan, step=guess, trust=1.0), settings.first_iterations - settings.iterations)
 

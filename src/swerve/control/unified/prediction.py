@@ -123,7 +123,7 @@ def _sample() -> ca.Function:
     slips = (axle_slip_angle(x, p.lf, u[0], p), axle_slip_angle(end, -p.lr, 0.0, p))
     y = ca.vertcat(mid[X], mid[Y], mid[PSI], *slips)
     demand = [ca.fabs(magic_formula(p, now.slip_angles[i], loads[i])) / factors(p, loads[i])[2] for i in range(4)]
-    return ca.Function("sample", [x, u, loads, ca.vertcat(*p), duration], [end, y, ca.vertcat(*demand)])
+    return ca.Function("sample", [x, u, loads, ca.vertcat(*p), duration], ca.cse([end, y, ca.vertcat(*demand)]))
 
 
 def _sample_with_jacobians() -> ca.Function:
@@ -132,7 +132,7 @@ def _sample_with_jacobians() -> ca.Function:
     arguments = sample.sx_in()
     end, y, _ = sample.call(arguments)
     jacobians = [ca.densify(ca.jacobian(ca.vertcat(end, y), arguments[i])) for i in (0, 1)]
-    return ca.Function("sample_with_jacobians", arguments, [end, *jacobians])
+    return ca.Function("sample_with_jacobians", arguments, ca.cse([end, *jacobians]))
 
 
 def _over_horizon(sample: ca.Function, n: int, name: str, skip: int = 0) -> ca.Function:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from swerve.control.unified.condensing import Sensitivities
 from swerve.control.unified.limits import HardLimit, InputBox, ObstacleLimit, RoadEdge, SoftLimit
-from swerve.control.unified.limits.limit import Rows
+from swerve.control.unified.limits.limit import Indices, Rows
 from swerve.control.unified.prediction import Trajectory
 from swerve.control.unified.terms import Term
 from swerve.qp import Problem, Solution
@@ -22,6 +22,7 @@ from swerve.qp import Problem, Solution
 Array = NDArray[np.float64]
 
 SMALL = 1e-3  # [1/unit^2] curvature of a comfort's price, next to nothing: a solver wants some
+MOST_PLACES = 1000  # poses, samples or inputs that the rows of one limit are about
 ACTIVE = 1e-6  # [1/m, 1/rad] a multiplier beyond this holds a plan
 
 
@@ -97,6 +98,10 @@ class Program:
 
     def convex(self, trajectory: Trajectory, sensitivities: Sensitivities, trust: Array) -> Problem:
         """The quadratic program about a trajectory, for changes within `trust` (5,) [rad, N, N, N, N]."""
+        return self.labelled(trajectory, sensitivities, trust)[0]
+
+    def labelled(self, trajectory: Trajectory, sensitivities: Sensitivities, trust: Array) -> tuple[Problem, Indices]:
+        """The same, with labels (m,) by which its rows are known again in a later program of the same way."""
         n, slacks = self.box.blocking.n, self._slacks
         n_slacks = len(slacks)
         hessian, gradient = np.zeros((n + n_slacks, n + n_slacks)), np.zeros(n + n_slacks)
@@ -106,17 +111,18 @@ class Program:
             gradient[:n] += model.gradient
         for i, slack in enumerate(slacks, start=n):
             hessian[i, i], gradient[i] = 2 * slack.quadratic, slack.linear
-        rows, row_lower, row_upper, _ = self._rows(trajectory, sensitivities)
+        rows = self._rows(trajectory, sensitivities)
         lower, upper = self.box.bounds(trajectory, trust)
-        return Problem(
+        problem = Problem(
             hessian=hessian,
             gradient=gradient,
             lower=np.concatenate([lower, np.zeros(n_slacks)]),
             upper=np.concatenate([upper, [slack.largest for slack in slacks]]),
-            rows=rows,
-            row_lower=row_lower,
-            row_upper=row_upper,
+            rows=rows.matrix,
+            row_lower=rows.lower,
+            row_upper=rows.upper,
         )
+        return problem, rows.labels
 
     @property
     def _slacks(self) -> list["_Slack"]:
@@ -143,7 +149,10 @@ class Program:
                 matrix[of_part, comforts] = sign
                 row = of_part.stop
         return Rows(
-            matrix, np.concatenate([part.lower for part in parts]), np.concatenate([part.upper for part in parts])
+            matrix,
+            np.concatenate([part.lower for part in parts]),
+            np.concatenate([part.upper for part in parts]),
+            places=np.concatenate([MOST_PLACES * i + part.labels for i, part in enumerate(parts)]),
         )
 
 
@@ -160,8 +169,9 @@ def _one_sided(rows: Rows) -> tuple[Rows, Rows]:
     """The rows that hold from below, and those that hold from above; a side that is infinite is left out."""
     below, above = np.isfinite(rows.lower), np.isfinite(rows.upper)
     of_below, of_above = (None if rows.weight is None else rows.weight[side] for side in (below, above))
+    labels = rows.labels
     n_below, n_above = np.count_nonzero(below), np.count_nonzero(above)
     return (
-        Rows(rows.matrix[below], rows.lower[below], np.full(n_below, np.inf), of_below),
-        Rows(rows.matrix[above], np.full(n_above, -np.inf), rows.upper[above], of_above),
+        Rows(rows.matrix[below], rows.lower[below], np.full(n_below, np.inf), of_below, labels[below]),
+        Rows(rows.matrix[above], np.full(n_above, -np.inf), rows.upper[above], of_above, labels[above]),
     )

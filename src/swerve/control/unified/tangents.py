@@ -78,7 +78,7 @@ def _tangent() -> ca.Function:
     normal = ca.if_else(normal[1] * side < 0, along, normal)  # what would push to the other side
     across = turned(normal, -heading) * semi_axes
     gap = ca.dot(normal, here[:2]) - ca.sqrt(ca.sumsqr(across)) * blown_up
-    return ca.Function("tangent", [before, here, after, p], [ca.vertcat(normal, gap, ca.sumsqr(now - last))])
+    return ca.Function("tangent", [before, here, after, p], [ca.cse(ca.vertcat(normal, gap, ca.sumsqr(now - last)))])
 
 
 def _cosine(one: ca.SX, other: ca.SX) -> ca.SX:

@@ -50,4 +50,5 @@ class Lane:
             sensitivities.poses[near, 1],
             np.where(lower > -REACH, lower, -np.inf),
             np.where(upper < REACH, upper, np.inf),
+            places=near,
         )

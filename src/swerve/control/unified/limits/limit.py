@@ -11,6 +11,7 @@ from swerve.control.unified.condensing import Sensitivities
 from swerve.control.unified.prediction import Trajectory
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
 
 
 MOST_ROWS = 40  # of one limit; a solver's time grows with their number, and few of them are ever active
@@ -19,16 +20,23 @@ MOST_ROWS = 40  # of one limit; a solver's time grows with their number, and few
 class Rows(NamedTuple):
     """lower <= matrix z <= upper for scaled changes z (n,): shapes (m, n), (m,), (m,); unit of the limit.
 
-    `weight` (m,) is how much of the slack for faults counts in each row; None for all of it.
+    `weight` (m,) is how much of the slack for faults counts in each row; None for all of it. `places` (m,) say which
+    pose, sample or input each row is about; None for one after the other.
     """
 
     matrix: Array
     lower: Array
     upper: Array
     weight: Array | None = None
+    places: Indices | None = None
+
+    @property
+    def labels(self) -> Indices:
+        """(m,) the places, or the rows' own numbers."""
+        return np.arange(len(self.lower)) if self.places is None else self.places
 
 
-def nearest(gap: Array, reach: float) -> NDArray[np.intp]:
+def nearest(gap: Array, reach: float) -> Indices:
     """Indices of the gaps (k,) that are in reach, the MOST_ROWS smallest of them, in ascending order."""
     near = np.flatnonzero(gap < reach)
     if len(near) > MOST_ROWS:

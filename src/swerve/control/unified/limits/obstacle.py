@@ -79,7 +79,7 @@ class ObstacleLimit:
         spare, share = planes.gap[near] - self._margin, self._share[near]
         share = np.where(spare < 0, 1.0, share)  # what misses the margin itself is priced in full
         lower = self._penalty.comfort - share * spare
-        return Rows(share[:, np.newaxis] * matrix, lower, np.full(len(near), np.inf), share)
+        return Rows(share[:, np.newaxis] * matrix, lower, np.full(len(near), np.inf), share, near)
 
     def impact(self, trajectory: Trajectory) -> tuple[int, Array] | None:
         """The first pose at which the plan is in contact, and the obstacle's velocity (2,) then; None without one."""

@@ -52,7 +52,7 @@ class RoadEdge:
         near = nearest(gap, REACH)
         of_poses = sensitivities.poses[near]
         matrix = turning[near, np.newaxis] * of_poses[:, 2] - self.side.value * of_poses[:, 1]
-        return Rows(matrix, self.margin - gap[near], np.full(len(near), np.inf))
+        return Rows(matrix, self.margin - gap[near], np.full(len(near), np.inf), places=near)
 
     def _gaps(self, trajectory: Trajectory) -> tuple[Array, Array]:
         """Distance of each pose but the first from the edge [m], and its derivative by psi [m/rad]."""
