@@ -36,6 +36,9 @@ numbers: $(VENV)/.installed ## measure the tables and figures that the documenta
 	$(BIN)/swerve reproduce --out build/paper
 	mkdir -p docs/measured
 	cp build/paper/*.md build/paper/*.png docs/measured/
+	$(BIN)/swerve compare paper wet stopped-car-town slower-lead pedestrian-running both-lanes-blocked ice-patch --out build/compare
+	cp build/compare/comparison.md docs/measured/compare.md
+	cp build/compare/paper.png docs/measured/compare-paper.png
 
 library: $(VENV)/.installed ## write the documentation's page of the scenario library
 	$(BIN)/python docs/hooks/library.py > docs/library.md

@@ -14,6 +14,7 @@ from typing import Final, NoReturn
 
 from swerve import __version__
 from swerve.commands import (
+    compare,
     criticality,
     export,
     fit_tyre,
@@ -29,7 +30,7 @@ from swerve.errors import InputError, SwerveError
 
 INTERRUPTED: Final = 130  # 128 + SIGINT, as shells have it
 BROKEN_PIPE: Final = 141  # 128 + SIGPIPE
-COMMANDS: Final = (run, scenarios, fit_tyre, reproduce, export, view, manoeuvres, limit, criticality, studies)
+COMMANDS: Final = (run, compare, scenarios, fit_tyre, reproduce, export, view, manoeuvres, limit, criticality, studies)
 
 
 def main(argv: Sequence[str] | None = None) -> int:

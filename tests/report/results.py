@@ -32,6 +32,9 @@ RESULT = Result(
     fallback_steps=2,
     solver_failures=3,
     divergence=None,
+    lateral_excursion=3.0,
+    max_friction_use=0.97,
+    mean_friction_use=None,
     wall_time=1.0,
 )
 

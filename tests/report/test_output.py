@@ -68,3 +68,20 @@ def test_a_failure_leaves_no_trace(tmp_path: Path, error: type[BaseException]) -
             (place / "result.json").write_text("ne")
             raise error
     assert _tree(tmp_path) == {"result.json": "earlier"}
+
+
+def test_folders_are_filled_as_files_are(tmp_path: Path) -> None:
+    """A folder that is made with others appears at the end, and one that is there keeps what it has."""
+    (tmp_path / "run").mkdir()
+    (tmp_path / "run" / "notes.txt").write_text("mine")
+    with filled(tmp_path) as place:
+        for name in ("run", "other"):
+            (place / name).mkdir()
+            (place / name / "log").write_text("new")
+        assert not (tmp_path / "other").exists()
+    assert _tree(tmp_path) == {
+        **dict.fromkeys(("run", "other"), "/"),
+        "run/notes.txt": "mine",
+        "run/log": "new",
+        "other/log": "new",
+    }

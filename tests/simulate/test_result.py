@@ -18,7 +18,7 @@ scenario controller plant seed version outcome min_distance_ratio min_clearance 
 impact_obstacle oncoming_lane_time decision
 lateral_offset speed final_yaw_rate final_lateral_speed max_sideslip max_yaw_rate max_steer
 step_time steps fallback_steps solver_failures wall_time
-divergence driver_deviation
+divergence lateral_excursion max_friction_use mean_friction_use driver_deviation
 """
 
 

@@ -2,13 +2,13 @@
 
 import argparse
 import sys
-from collections.abc import Iterable
 from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
+from swerve.commands.options import add_seed, checked
 from swerve.commands.printing import print_paths
-from swerve.errors import InputError, unknown
+from swerve.errors import InputError
 
 if TYPE_CHECKING:
     from swerve.report.exports import Format
@@ -34,7 +34,7 @@ def add_command(commands: Any) -> None:
         metavar="KEY=VALUE",
         help='replace a value, as in --set "ego.speed=90 km/h"',
     )
-    run.add_argument("--seed", type=_seed, default=0, help="of all that is random [0]")
+    add_seed(run)
     run.add_argument("--out", type=Path, metavar="DIR", help="write result, log, scenario, report and figures there")
     run.add_argument("--export", metavar="FORMAT[,FORMAT]", help="write csv, mcap, mf4, gif, webp or mp4 there, too")
     run.add_argument("--json", action="store_true", help="print the result as one JSON object")
@@ -43,21 +43,15 @@ def add_command(commands: Any) -> None:
     run.add_argument("--require", metavar="OUTCOME", help="exit with status 1 at any other outcome")
 
 
-def _seed(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and len(text) <= 18):
-        raise argparse.ArgumentTypeError(f"{text[:40]!r} is no seed; write a whole number from 0, of at most 18 digits")
-    return int(text)
-
-
 def _run(options: argparse.Namespace) -> int:
     from swerve.scenario import load
 
     scenario = load(options.scenario, options.set)
     from swerve.simulate import CONTROLLERS, DEFAULT_CONTROLLER, DEFAULT_PLANT, PLANTS, Outcome, run
 
-    controller = _checked("controller", options.controller, CONTROLLERS) or DEFAULT_CONTROLLER
-    plant = _checked("plant", options.plant, PLANTS) or DEFAULT_PLANT
-    required = _checked("outcome", options.require, [outcome.value for outcome in Outcome], option="require")
+    controller = checked("controller", options.controller, CONTROLLERS) or DEFAULT_CONTROLLER
+    plant = checked("plant", options.plant, PLANTS) or DEFAULT_PLANT
+    required = checked("outcome", options.require, [outcome.value for outcome in Outcome], option="require")
     from swerve.report import Progress, prepare_output
 
     formats = _formats(options)
@@ -113,10 +107,3 @@ def _print(done: "Run", paths: list[Path], options: argparse.Namespace) -> None:
         print(explanation(done), file=notes)
     if not options.quiet:
         print_paths(paths, notes)
-
-
-def _checked(kind: str, name: str | None, known: Iterable[str], option: str | None = None) -> str | None:
-    """A name that is known, or None where none was given; the option is called as the kind is, unless said."""
-    if name is not None and name not in known:
-        raise InputError(f"--{option or kind}: {unknown(kind, name, known)}")
-    return name

@@ -3,15 +3,14 @@
 import argparse
 import sys
 from collections.abc import Callable
-from concurrent.futures import Executor, ProcessPoolExecutor
-from contextlib import nullcontext
+from concurrent.futures import Executor
 from pathlib import Path
 from typing import Any, Final
 
+from swerve.commands.pool import add_workers, check_workers, pool
 from swerve.commands.printing import print_paths
 from swerve.errors import InputError, unknown
 
-MOST_WORKERS: Final = 64
 N_MULTIBODY: Final = 100  # scenes on the multibody plant, which takes longer to run
 
 Progress = Callable[[float], None]  # takes the share that is done, from 0 to 1
@@ -24,7 +23,7 @@ def add_command(commands: Any) -> None:
     study.set_defaults(call=_study)
     study.add_argument("name", metavar="NAME", help=f"one of {', '.join(STUDIES)}")
     study.add_argument("--seed", type=int, default=0, help="of all that is random [0]")
-    study.add_argument("--workers", type=int, default=1, metavar="N", help="scenes run beside one another [1]")
+    add_workers(study, "scenes")
     study.add_argument("--out", type=Path, default=Path("swerve-study"), metavar="DIR", help="where to [swerve-study]")
 
 
@@ -35,11 +34,9 @@ def _study(options: argparse.Namespace) -> int:
         raise InputError(unknown("study", options.name, STUDIES))
     if options.seed < 0:
         raise InputError(f"--seed: {options.seed} is no seed; write a whole number from 0")
-    if not 1 <= options.workers <= MOST_WORKERS:
-        raise InputError(f"--workers: {options.workers} is out of range; write a whole number from 1 to {MOST_WORKERS}")
+    check_workers(options.workers)
     prepare_output(options.out)
-    pool = nullcontext() if options.workers == 1 else ProcessPoolExecutor(options.workers)
-    with Progress(sys.stderr) as progress, pool as executor:
+    with Progress(sys.stderr) as progress, pool(options.workers) as executor:
         paths = STUDIES[options.name](options.out, options.seed, executor, progress.part)
     print_paths(paths, sys.stdout)
     return 0

@@ -33,7 +33,7 @@ def prepare_output(directory: Path) -> None:
 
 @contextmanager
 def filled(directory: Path) -> Iterator[Path]:
-    """A place to make files in, each of which is moved to `directory` at the end, over one of the same name.
+    """A place to make files and folders in: each file is moved to `directory` at the end, over one of the same name.
 
     Where making them fails, `directory` stays as it was: with its earlier files, or absent.
 
@@ -44,8 +44,10 @@ def filled(directory: Path) -> Iterator[Path]:
     try:
         with TemporaryDirectory(prefix=PARTIAL, dir=directory) as partial:  # inside: the same file system for certain
             yield Path(partial)
-            for path in sorted(Path(partial).iterdir()):
-                os.replace(path, directory / path.name)
+            for path in sorted(each for each in Path(partial).rglob("*") if each.is_file()):
+                target = directory / path.relative_to(partial)
+                made[:0] = _make(target.parent)
+                os.replace(path, target)
     except BaseException:
         _unmake(made)
         raise

@@ -38,22 +38,22 @@ def write_run(run: Run, directory: Path, progress: Progress = lambda share: None
     """
     from swerve.report.figures import FIGURES, writers
 
-    return _write_all({**_record(run), **writers(FIGURES, run)}, directory, progress)
+    return write_all({**record(run), **writers(FIGURES, run)}, directory, progress)
 
 
 def write_record(run: Run, directory: Path) -> list[Path]:
     """Write a run as `write_run` does, without its figures, which take longer than all else."""
-    return _write_all(_record(run), directory, lambda share: None)
+    return write_all(record(run), directory, lambda share: None)
 
 
-def _record(run: Run) -> dict[str, Write]:
+def record(run: Run) -> dict[str, Write]:
     """All that a run's folder needs for being read back, and its report."""
     from swerve.report.page import write_page
     from swerve.report.tables import write_table
 
     return {
-        "result.json": partial(_write_text, result_json(run.result) + "\n"),
-        "scenario.toml": partial(_write_text, run.scenario.to_toml()),
+        "result.json": partial(write_text, result_json(run.result) + "\n"),
+        "scenario.toml": partial(write_text, run.scenario.to_toml()),
         "motion.parquet": lambda path: write_table(run.log.motion, run, path),
         "steps.parquet": lambda path: write_table(run.log.steps, run, path),
         "report.html": partial(write_page, run),
@@ -83,28 +83,30 @@ def write_reproduction(
 
     rows, tyre = reproduction.ablation, reproduction.tyre
     files: dict[str, Write] = {
-        "table1.md": partial(_write_text, table1.as_markdown(tyre)),
-        "table1.csv": partial(_write_text, table1.as_csv(tyre)),
-        "table1.json": partial(_write_text, table1.as_json(tyre)),
-        "ablation.md": partial(_write_text, ablation.as_markdown(rows)),
-        "ablation.csv": partial(_write_text, ablation.as_csv(rows)),
-        "ablation.json": partial(_write_text, ablation.as_json(rows)),
+        "table1.md": partial(write_text, table1.as_markdown(tyre)),
+        "table1.csv": partial(write_text, table1.as_csv(tyre)),
+        "table1.json": partial(write_text, table1.as_json(tyre)),
+        "ablation.md": partial(write_text, ablation.as_markdown(rows)),
+        "ablation.csv": partial(write_text, ablation.as_csv(rows)),
+        "ablation.json": partial(write_text, ablation.as_json(rows)),
         **writers(TYRE_FIGURES, tyre),
-        "fig05_lateral_forces.json": partial(_write_text, json.dumps(reproduction.forces.to_json(), indent=2) + "\n"),
+        "fig05_lateral_forces.json": partial(write_text, json.dumps(reproduction.forces.to_json(), indent=2) + "\n"),
         **writers(FORCE_FIGURES, reproduction.forces),
         **writers(PAPER_FIGURES, reproduction.paper),
     }
-    return _write_all(files, directory, progress)
+    return write_all(files, directory, progress)
 
 
-def _write_all(files: Mapping[str, Write], directory: Path, progress: Progress) -> list[Path]:
-    """Write every file by its name, and none where one of them fails."""
+def write_all(files: Mapping[str, Write], directory: Path, progress: Progress) -> list[Path]:
+    """Write every file by its name, which may have a folder before it, and none where one of them fails."""
     with filled(directory) as place:
         for i, (name, write) in enumerate(files.items(), start=1):
+            (place / name).parent.mkdir(exist_ok=True)
             write(place / name)
             progress(i / len(files))
     return [directory / name for name in files]
 
 
-def _write_text(text: str, path: Path) -> None:
+def write_text(text: str, path: Path) -> None:
+    """Write UTF-8 with the same line ends on every system."""
     path.write_text(text, encoding="utf-8", newline="\n")

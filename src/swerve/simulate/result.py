@@ -12,6 +12,8 @@ from swerve.conventions import GRAVITY, STATES
 from swerve.scenario import Scenario
 from swerve.signals import Command
 from swerve.simulate.decision import decision
+from swerve.simulate.excursion import lateral_excursion
+from swerve.simulate.friction_use import friction_use_of, largest, mean_while_shaped
 from swerve.simulate.log import Log
 from swerve.simulate.outcome import Outcome, decide, n_sane, ratio_to, sideslip, touches
 from swerve.world import Footprint, Obstacle, Road, clearance
@@ -98,6 +100,9 @@ class Result:
         solver_failures: quadratic programs without an answer.
         wall_time: of the whole run [s].
         divergence: when and from what state the simulation diverged; None when it did not.
+        lateral_excursion: farthest from the strip between the line it began on and the one it was to hold [m].
+        max_friction_use: largest share of its friction that any wheel used; None if none touched the road [1].
+        mean_friction_use: over the wheels, while an obstacle shaped the plan; None where none did [1].
         driver_deviation: largest magnitude of commanded less driver's steering angle; None without a driver [rad].
     """
 
@@ -126,6 +131,9 @@ class Result:
     solver_failures: int
     wall_time: float
     divergence: Divergence | None
+    lateral_excursion: float
+    max_friction_use: float | None
+    mean_friction_use: float | None
     driver_deviation: float | None = None
 
     def to_json(self) -> dict[str, Any]:
@@ -154,6 +162,7 @@ def evaluate(
     ratios = [ratio_to(each, footprint, poses, times) for each in obstacles]
     gaps = [clearance(footprint, poses, each, times) for each in obstacles]
     impact = _first_impact(contact)
+    use = friction_use_of(scenario, motion, n)
     grip = scenario.road.friction * vehicle.mass * GRAVITY
     speed = np.hypot(motion["vx"], motion["vy"])
     return Result(
@@ -182,6 +191,9 @@ def evaluate(
         solver_failures=sum(plan.solver_failures for plan in plans),
         wall_time=wall_time,
         divergence=Divergence.of(states, motion["time"]),
+        lateral_excursion=lateral_excursion(poses[:, 1], scenario.goal.lateral_offset),
+        max_friction_use=largest(use),
+        mean_friction_use=mean_while_shaped(use, plans, scenario.n_substeps),
         driver_deviation=_driver_deviation(log),
     )
 

@@ -4,6 +4,7 @@ from swerve.world.clearance import clearance, distance_ratio
 from swerve.world.friction import MOST_PATCHES, Friction, Patch
 from swerve.world.motions import Accelerating, AlongWaypoints, Motion, Steady, Waiting
 from swerve.world.obstacle import Obstacle
+from swerve.world.placing import place
 from swerve.world.road import Road
 from swerve.world.shapes import Ellipse, Footprint, Point, Rectangle, Shape
 
@@ -25,4 +26,5 @@ __all__ = [
     "Waiting",
     "clearance",
     "distance_ratio",
+    "place",
 ]

@@ -8,11 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from swerve.conventions import GRAVITY
 from swerve.report import result_json
 from swerve.report.exports.folder import read_run_folder
 from swerve.report.page.data import document, names
-from swerve.report.page.motion import MOST_ROWS, Motion, friction_under, friction_use
+from swerve.report.page.motion import MOST_ROWS, Motion
 from swerve.report.page.obstacles import obstacles_in_words
 from swerve.report.page.page import embedded
 from swerve.report.page.plans import MOST_POINTS
@@ -22,7 +21,6 @@ from swerve.scenario.obstacle import ObstacleSettings
 from swerve.simulate import Log, Run, Table
 from swerve.simulate.result import Divergence
 from swerve.vehicle import vehicle_named
-from swerve.world import Friction
 from tests.report.exports.folders import write_folder
 from tests.report.page.ways import with_ways
 from tests.report.runs import FAILING, MOST_SHOWN, made
@@ -68,22 +66,6 @@ def test_rows_are_few_and_in_order(duration: str) -> None:
     assert (time[0], time[-1]) == (0.0, pytest.approx(done.log.motion["time"][-1]))
     assert len(time) <= MOST_ROWS + 40
     assert np.diff(time).max() <= 0.0121
-
-
-def test_friction_use_is_the_share_of_the_circle() -> None:
-    """A wheel at rest on a level road that brakes with 3 parts and turns with 4 of mu Fz / 10 uses half of it."""
-    load = CAR.mass * GRAVITY / 4
-    wheels = {"Fx": np.full((1, 4), -0.3 * load), "Fy": np.full((1, 4), 0.4 * load), "Fz": np.full((1, 4), load)}
-    np.testing.assert_allclose(friction_use(wheels, np.ones((1, 4))), 0.5)
-    np.testing.assert_allclose(friction_use(wheels, np.full((1, 4), 0.5)), 1.0)
-    assert np.isnan(friction_use({**wheels, "Fz": np.zeros((1, 4))}, np.ones((1, 4)))).all()
-
-
-@pytest.mark.parametrize(("heading", "expected"), [(0.0, [0.3, 0.8, 0.3, 0.8]), (np.pi / 2, [0.3, 0.3, 0.8, 0.8])])
-def test_each_wheel_has_the_friction_under_it(heading: float, expected: list[float]) -> None:
-    """On a split road the wheels left of the line have the left side's friction, whichever way the car points."""
-    split = Friction.split(right=0.8, left=0.3)
-    np.testing.assert_array_equal(friction_under(split, CAR, np.array([[5.0, 0.0, heading]])), [expected])
 
 
 def test_torque_is_force_times_radius() -> None:

@@ -4,7 +4,7 @@ import json
 import os
 import re
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -27,27 +27,6 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("run") / "report.html"
     write_page(with_ways(), path)
     return path
-
-
-@pytest.fixture
-def opened(browser: Any) -> Iterator[Open]:
-    """Opens a page, and at the end sees that it neither failed, nor complained, nor asked the network for anything."""
-    contexts, complaints = [], []
-
-    def open_page(path: Path, address: str = "", **options: Any) -> Any:
-        contexts.append(browser.new_context(**{"viewport": SIZES["1280"], **options}))
-        page = contexts[-1].new_page()
-        page.on("console", lambda message: complaints.append(message.text))
-        page.on("pageerror", lambda error: complaints.append(str(error)))
-        page.on("request", lambda request: request.url.startswith("file:") or complaints.append(request.url))
-        page.goto(path.as_uri() + address)
-        page.wait_for_function("document.getElementById('time').textContent !== ''")
-        return page
-
-    yield open_page
-    for context in contexts:
-        context.close()
-    assert complaints == []
 
 
 def _time(page: Any) -> float:

@@ -4,20 +4,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.vehicle import Vehicle
-from swerve.world import Rectangle
+from swerve.world import Rectangle, place
 
 Array = NDArray[np.float64]
 
 TYRE_WIDTH = 0.215  # as it is drawn [m]
-
-
-def place(points: Array, poses: Array) -> Array:
-    """Points (k, 2) of a body frame in the world, at each of the poses (n, 3) of X [m], Y [m], psi [rad]: (n, k, 2)."""
-    cos, sin = np.cos(poses[:, 2, np.newaxis]), np.sin(poses[:, 2, np.newaxis])
-    x, y = points[:, 0], points[:, 1]
-    turned = np.stack([cos * x - sin * y, sin * x + cos * y], axis=-1)
-    placed: Array = poses[:, np.newaxis, :2] + turned
-    return placed
 
 
 def bodies(vehicle: Vehicle, poses: Array) -> Array:

@@ -60,8 +60,8 @@ def cut(x: tuple[float, float], y: tuple[float, float]) -> Strips:
 
 
 def add_axes(figure: Figure, strips: Strips) -> list[Axes]:
-    """Axes for each strip, from the top down, in a figure of the strips' height."""
-    whole, panels = strips.figure_height, []
+    """Axes for each strip, from the top down, in a figure of at least the strips' height."""
+    whole, panels = figure.get_figheight(), []
     for i, (left, right) in enumerate(zip(strips.x[:-1], strips.x[1:], strict=True)):
         top = HEAD + i * (strips.height + GAP)
         bottom = whole - top - strips.height

@@ -73,7 +73,7 @@ def captioned_figure(text: str, height: float) -> Figure:
     room = CAPTION_HEIGHT / height
     engine = ConstrainedLayoutEngine(rect=(0.0, room, 1.0, 1.0 - room), w_pad=PADDING, h_pad=PADDING)
     figure = Figure(figsize=(WIDTH, height), layout=engine)
-    _put_text(figure, text)
+    put_text(figure, text)
     return figure
 
 
@@ -86,10 +86,11 @@ def widen(axes: Axes, least: float) -> None:
 
 def put_caption(figure: Figure, run: Run) -> None:
     """What was run and the verdict, at the foot of the figure."""
-    _put_text(figure, caption(run))
+    put_text(figure, caption(run))
 
 
-def _put_text(figure: Figure, text: str) -> None:
+def put_text(figure: Figure, text: str) -> None:
+    """Any caption, at the foot of the figure."""
     figure.text(0.01, 0.06 / figure.get_figheight(), text, color=GREY, fontsize=7.0, parse_math=False)
 
 

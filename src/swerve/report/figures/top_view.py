@@ -44,17 +44,18 @@ def top_view(run: Run) -> Figure:
     figure = Figure(figsize=(WIDTH, strips.figure_height))
     panels = add_axes(figure, strips)
     for axes in panels:
-        _draw_road(axes, run.scenario.road.to_world())
-        _draw_obstacles(axes, view)
+        draw_road(axes, run.scenario.road.to_world())
+        draw_obstacles(axes, view)
         _draw_vehicle(axes, view, vehicle, is_point=run.scenario.ego.footprint == "point")
         _label_instants(axes, view, strips.scale, vehicle.width / 2)
-        _label_names(axes, view)
+        label_names(axes, view)
     figure.legend(*panels[0].get_legend_handles_labels(), loc="upper center", ncols=4)
     put_caption(figure, run)
     return figure
 
 
-def _draw_road(axes: Axes, road: Road) -> None:
+def draw_road(axes: Axes, road: Road) -> None:
+    """Edges and lines between lanes, where the road has any."""
     if road.lane_width is None:
         return
     lines = [(k + 0.5) * road.lane_width for k in range(-road.lanes_right - 1, road.lanes_left + 1)]
@@ -68,7 +69,8 @@ def _draw_road(axes: Axes, road: Road) -> None:
             axes.axhline(between, color=GREY, linewidth=0.8, dashes=(8, 6), zorder=1)
 
 
-def _draw_obstacles(axes: Axes, view: View) -> None:
+def draw_obstacles(axes: Axes, view: View) -> None:
+    """Every obstacle at each instant, at whole seconds in full."""
     label = "obstacle"
     for obstacle in view.obstacles:
         outlines = outline(obstacle, view.times if is_moving(obstacle, view.times) else view.times[:1])
@@ -108,14 +110,19 @@ def _label_instants(axes: Axes, view: View, scale: float, half_width: float) -> 
             continue
         last, left = pose[:2], np.array([-np.sin(pose[2]), np.cos(pose[2])])
         _label(axes, f"{time:g} s", last + half_width * left, left, BLUE)
-        for obstacle in view.obstacles:
-            if is_moving(obstacle, view.times):
-                lowest = outline(obstacle, np.array([time]))[0, :, 1].min()
-                centre = obstacle.position_at(time)[0]
-                _label(axes, f"{time:g} s", np.array([centre, lowest]), np.array([0.0, -1.0]), ORANGE)
+        label_obstacles(axes, view, time)
 
 
-def _label_names(axes: Axes, view: View) -> None:
+def label_obstacles(axes: Axes, view: View, time: float) -> None:
+    """The time [s] below each obstacle that moves, where it is then."""
+    for obstacle in view.obstacles:
+        if is_moving(obstacle, view.times):
+            lowest = outline(obstacle, np.array([time]))[0, :, 1].min()
+            centre = obstacle.position_at(time)[0]
+            _label(axes, f"{time:g} s", np.array([centre, lowest]), np.array([0.0, -1.0]), ORANGE)
+
+
+def label_names(axes: Axes, view: View) -> None:
     """The name of each obstacle that has one, above the first of its outlines that are drawn."""
     for obstacle, name in zip(view.obstacles, view.names, strict=True):
         outlines = outline(obstacle, view.times)

@@ -1,6 +1,7 @@
 """What a top view shows: instants of the manoeuvre, and the stretch of road that they are drawn on."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -63,6 +64,16 @@ def view_of(run: Run) -> View:
     y = _stretch(np.append(points[within(points[:, 0], *x), 1], _edges(run.scenario.road.to_world())), middle[2])
     names = tuple(obstacle.name for obstacle in run.scenario.obstacles)
     return View(instants[:, 0], poses, instants[:, 4], rows[:, 1:3], obstacles, names, closest, x, y)
+
+
+def view_of_all(runs: Sequence[Run]) -> View:
+    """What is drawn of runs in one scene: instants and path of the longest, a stretch of road that shows them all."""
+    views = [view_of(run) for run in runs]
+    longest = max(views, key=lambda view: view.times[-1])
+    y = min(view.y[0] for view in views), max(view.y[1] for view in views)
+    ends = np.array([view.x for view in views])
+    middle = longest.path[0 if longest.closest is None else longest.closest, 0]
+    return replace(longest, x=_stretch(ends + np.array([MARGIN, -MARGIN]), middle), y=y)
 
 
 def outline(obstacle: Obstacle, times: Array) -> Array:

@@ -25,7 +25,7 @@ def document(runs: Sequence[Run]) -> dict[str, Any]:
     Raises:
         ValueError: their scenes differ.
     """
-    cars = [_car(run, name) for run, name in zip(runs, names(runs), strict=True)]
+    cars = [_car(run, name, is_ghost=i > 0) for i, (run, name) in enumerate(zip(runs, names(runs), strict=True))]
     end = max(car["motion"]["time"][-1] for car in cars)
     return {"format": FORMAT, "scene": scene_json([run.scenario for run in runs], end), "cars": cars}
 
@@ -43,7 +43,7 @@ def _name(run: Run, several: set[str]) -> str:
     return f"{result.controller}{plant}{f', seed {result.seed}' if 'seed' in several else ''}"
 
 
-def _car(run: Run, name: str) -> dict[str, Any]:
+def _car(run: Run, name: str, *, is_ghost: bool) -> dict[str, Any]:
     motion = Motion.of(run)
     return {
         "name": name,
@@ -54,7 +54,7 @@ def _car(run: Run, name: str) -> dict[str, Any]:
         "closest": None if motion.closest is None else round(float(motion.time[motion.closest]), 5),
         "motion": motion.to_json(),
         "steps": steps_json(run),
-        "plans": plans_json(run),
+        "plans": plans_json(run, is_ghost=is_ghost),
         "moments": moments(run, motion),
     }
 

@@ -1,7 +1,6 @@
 """What the vehicle did, down-sampled for display.
 
-Friction use of a wheel is sqrt(Fx^2 + Fy^2) / (mu Fz), 1 at the edge of its friction circle, with the mu under that
-wheel; its torque is Fx Rt. The rows are evenly spaced, and those in which a result was measured are among them: the
+The torque of a wheel is Fx Rt. The rows are evenly spaced, and those in which a result was measured are among them: the
 largest value that a chart shows is the one that the result tells.
 """
 
@@ -12,18 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.conventions import WHEELS
-from swerve.report.figures.body import place
 from swerve.report.page.rounding import ANGLE, FORCE, MILLIMETRE, SHARE, TIME, rounded
 from swerve.simulate import Run, Table
+from swerve.simulate.friction_use import friction_use_of
 from swerve.simulate.outcome import n_sane, sideslip
-from swerve.vehicle import Vehicle
-from swerve.world import Friction, clearance
+from swerve.world import clearance
 
 Array = NDArray[np.float64]
 
 MOST_ROWS = 1000  # evenly spaced ones
 FINEST = 0.01  # between two of them [s]
-LEAST_GRIP = 1.0  # mu Fz below which a wheel is in the air [N]
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +48,7 @@ class Motion:
         time, states, poses = logged["time"][:n], states[:n], logged.stack("X", "Y", "psi")[:n]
         wheels = {name: _by_wheel(logged, name)[:n] for name in ("Fx", "Fy", "Fz")}
         wheels["torque"] = wheels["Fx"] * vehicle.wheel_radius
-        wheels["use"] = friction_use(wheels, friction_under(run.scenario.road.to_friction(), vehicle, poses))
+        wheels["use"] = friction_use_of(run.scenario, logged, n)
         columns = {
             "delta": logged["delta"][:n],
             "speed": np.hypot(states[:, 0], states[:, 1]),
@@ -99,20 +96,6 @@ _DECIMALS = {
     "torque": 1,
     "use": SHARE,
 }
-
-
-def friction_under(friction: Friction, vehicle: Vehicle, poses: Array) -> Array:
-    """Mu under each wheel (n, 4), FL FR RL RR, at poses (n, 3)."""
-    front, rear, side = vehicle.cg_to_front_axle, -vehicle.cg_to_rear_axle, vehicle.half_track
-    hubs = place(np.array([[front, side], [front, -side], [rear, side], [rear, -side]]), poses)
-    return friction.at(hubs).reshape(len(poses), 4)
-
-
-def friction_use(wheels: dict[str, Array], friction: Array) -> Array:
-    """sqrt(Fx^2 + Fy^2) / (mu Fz) of each wheel (n, 4) [1]; nan for a wheel in the air."""
-    grip = friction * wheels["Fz"]
-    used: Array = np.hypot(wheels["Fx"], wheels["Fy"]) / np.where(grip > LEAST_GRIP, grip, np.nan)
-    return used
 
 
 def _by_wheel(logged: Table, name: str) -> Array:

@@ -39,7 +39,7 @@ SCRIPTS: Final = (  # each uses only those before it
     "js/main.js",
 )
 STYLES: Final = ("vendor/uPlot.min.css", "css/palette.css", "css/style.css", "css/print.css")
-COMPARISON_SENTENCE: Final = "{n} runs of one scene; each is drawn in its own colour."
+COMPARISON_SENTENCE: Final = "{n} of one scene; each is drawn in its own colour."
 
 
 def write_page(run: Run, path: Path) -> None:
@@ -49,16 +49,22 @@ def write_page(run: Run, path: Path) -> None:
     _write(path, [run], content, numbers)
 
 
-def write_comparison(runs: Sequence[Run], path: Path) -> None:
+def write_comparison(runs: Sequence[Run], path: Path, remarks: Sequence[str] = ()) -> None:
     """Write the report of several runs in one scene, whose vehicles are drawn together.
+
+    Args:
+        runs: the first is drawn in full, the others as ghosts.
+        path: of the file.
+        remarks: sentences that stand below the table, as on who did not take part.
 
     Raises:
         ValueError: their scenes differ.
         OSError: as the file system says.
     """
-    sentence = COMPARISON_SENTENCE.format(n=len(runs))
+    sentence = COMPARISON_SENTENCE.format(n=f"{len(runs)} runs" if len(runs) > 1 else "One run")
+    below = "".join(f'<p class="note">{escape(each)}</p>' for each in remarks)
     table = f'<div class="wide"><table class="numbers">{comparison_table(runs)}</table></div>'
-    _write(path, runs, document(runs), f'<p class="verdict">{sentence}</p>{table}')
+    _write(path, runs, document(runs), f'<p class="verdict">{sentence}</p>{table}{below}')
 
 
 def _write(path: Path, runs: Sequence[Run], content: dict[str, Any], numbers: str) -> None:
@@ -66,13 +72,13 @@ def _write(path: Path, runs: Sequence[Run], content: dict[str, Any], numbers: st
 
 
 def _page(runs: Sequence[Run], content: dict[str, Any], numbers: str) -> str:
-    first, scripts = runs[0], [_asset(name) for name in SCRIPTS]
-    return Template(_asset("template.html")).substitute(
+    first, scripts = runs[0], [asset(name) for name in SCRIPTS]
+    return Template(asset("template.html")).substitute(
         title=escape(first.scenario.name),
         description=escape(first.scenario.description),
         source=escape(first.scenario.source),
         policy=_policy(scripts),
-        styles="".join(f"<style>\n{_asset(name)}</style>\n" for name in STYLES),
+        styles="".join(f"<style>\n{asset(name)}</style>\n" for name in STYLES),
         numbers=numbers,
         facts=fact_list(runs),
         results=result_table(runs),
@@ -94,5 +100,6 @@ def _policy(scripts: Sequence[str]) -> str:
     return f"default-src 'none'; style-src 'unsafe-inline'; script-src {hashes}"
 
 
-def _asset(name: str) -> str:
+def asset(name: str) -> str:
+    """The text of a file of the page."""
     return files(__package__).joinpath(name).read_text(encoding="utf-8")

@@ -34,25 +34,29 @@ def steps_json(run: Run) -> Json:
     }
 
 
-def plans_json(run: Run) -> list[Json]:
-    """Each step's plan and the ways that were tried, with their paths as X, Y, psi, one after the other."""
+def plans_json(run: Run, *, is_ghost: bool = False) -> list[Json]:
+    """Each step's plan and the ways that were tried, with their paths as X, Y, psi, one after the other.
+
+    Of a ghost only the way that was taken has a path: no other one is drawn.
+    """
     steps = run.log.steps
     uses = rounded(steps.stack(*(f"friction_use_{wheel}" for wheel in WHEELS)), SHARE)
     plans = run.plans or (None,) * len(uses)
     rows = zip(plans, uses, steps["reason"].tolist(), steps["active"].tolist(), steps["branches"], strict=True)
     return [
-        {"reason": reason, "active": active, "use": use, **_paths(plan, TRIED.validate_json(tried))}
+        {"reason": reason, "active": active, "use": use, **_paths(plan, TRIED.validate_json(tried), is_ghost)}
         for plan, use, reason, active, tried in rows
     ]
 
 
-def _paths(plan: Plan | None, tried: list[Tried]) -> Json:
+def _paths(plan: Plan | None, tried: list[Tried], is_ghost: bool) -> Json:
     """The way that is taken, by its place in the list, and where each one leads."""
     if plan is None:
         return {"path": [], "taken": None, "branches": [_branch(each, NOWHERE) for each in tried]}
     own = plan.states[:, [X, Y, PSI]]
-    branches = [_branch(each, branch.poses) for each, branch in zip(tried, plan.branches, strict=True)]
-    return {"path": _path(own), "taken": _taken(plan, own), "branches": branches}
+    taken = _taken(plan, own)
+    poses = [NOWHERE if is_ghost and i != taken else branch.poses for i, branch in enumerate(plan.branches)]
+    return {"path": _path(own), "taken": taken, "branches": list(map(_branch, tried, poses))}
 
 
 def _taken(plan: Plan, own: Array) -> int | None:

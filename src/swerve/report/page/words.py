@@ -27,7 +27,7 @@ def verdict(run: Run, motion: Motion) -> str:
     if result.outcome is Outcome.DIVERGED and result.divergence is not None:
         return f"The simulated motion grew beyond all bounds after {result.divergence.time:.2f} s."
     deeds = " and ".join(_DEEDS[word] for word in result.decision.split("+"))
-    return f"The vehicle {deeds}{_consequence(run, motion)}{_peak(motion)}."
+    return f"The vehicle {deeds}{_consequence(run, motion)}{_peak(run)}."
 
 
 def _consequence(run: Run, motion: Motion) -> str:
@@ -46,8 +46,8 @@ def _consequence(run: Run, motion: Motion) -> str:
     return f" and kept {_length(result.min_clearance)} clear"
 
 
-def _peak(motion: Motion) -> str:
-    most = peak_friction_use(motion)
+def _peak(run: Run) -> str:
+    most = run.result.max_friction_use
     return "" if most is None else f", using up to {_percent(most)} of a tyre's friction"
 
 
@@ -58,12 +58,6 @@ def _length(length: float) -> str:
 
 def _percent(share: float) -> str:
     return f"{share * 100:.0f}\N{NO-BREAK SPACE}%"
-
-
-def peak_friction_use(motion: Motion) -> float | None:
-    """Largest share of its friction that any wheel used [1]; None when all were in the air."""
-    use = motion.wheels["use"]
-    return None if np.isnan(use).all() else float(np.nanmax(use))
 
 
 def facts(run: Run) -> list[tuple[str, str]]:
@@ -122,7 +116,7 @@ def _extremes(run: Run, motion: Motion) -> Iterator[tuple[float, str]]:
         gap = motion.columns["clearance"][motion.closest]
         words = "contact" if run.result.outcome is Outcome.COLLIDED else f"closest, {_length(float(gap))}"
         yield float(motion.time[motion.closest]), words
-    most = peak_friction_use(motion)
+    most = run.result.max_friction_use
     if most is not None:
         row = int(np.nanargmax(np.nanmax(np.nan_to_num(motion.wheels["use"]), axis=1)))
         yield float(motion.time[row]), f"most friction used, {_percent(most)}"

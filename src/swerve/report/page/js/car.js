@@ -114,15 +114,11 @@ const Car = (() => {
   }
 
   /* Beside the body, each car's on its own line. */
-  function name(ink, camera, car, state, colour, index) {
-    const away = camera.scale * car.body.width / 2 + 14 + 15 * index;
-    ink.font = "600 12px system-ui, sans-serif";
-    ink.textAlign = "center";
-    ink.lineWidth = 4;
-    ink.strokeStyle = Colours.get("road");
-    ink.fillStyle = colour;
-    for (const write of ["strokeText", "fillText"]) ink[write](car.name, camera.x(state.X), camera.y(state.Y) + away);
+  /* Its name below it, as a label of a plan. */
+  function label(ink, camera, car, state, colour) {
+    const x = camera.x(state.X) - ink.measureText(car.name).width / 2;
+    return { text: car.name, colour, x, y: camera.y(state.Y) + camera.scale * car.body.width / 2 + 14 };
   }
 
-  return { draw, name, path };
+  return { draw, label, path };
 })();

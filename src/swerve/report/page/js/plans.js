@@ -52,13 +52,19 @@ const Plans = (() => {
     return last.length ? [{ points: last, text: name, colour }] : [];
   }
 
-  /* Names at the last points in view, pushed apart where they would meet. */
+  /* Names at the last points in view. */
   function name(ink, camera, labels) {
+    ink.font = FONT;
+    for (const label of labels) place(ink, camera, label);
+    write(ink, labels.filter(each => each.text));
+  }
+
+  /* Labels {text, colour, x, y} from the top down, pushed apart where they would meet; x is their left end [px]. */
+  function write(ink, labels) {
     ink.font = FONT;
     ink.textAlign = "left";
     ink.lineJoin = "round";
-    for (const label of labels) place(ink, camera, label);
-    const shown = labels.filter(each => each.text).sort((a, b) => a.y - b.y);
+    const shown = labels.sort((a, b) => a.y - b.y);
     shown.forEach((each, i) => {
       for (const above of shown.slice(0, i)) {
         if (Math.abs(above.x - each.x) < 90 && each.y - above.y < ROOM) each.y = above.y + ROOM;
@@ -77,5 +83,5 @@ const Plans = (() => {
     label.y = Math.min(camera.height - 26, Math.max(16, camera.y(Y) + 4));
   }
 
-  return { draw };
+  return { draw, write };
 })();

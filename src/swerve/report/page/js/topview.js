@@ -14,13 +14,12 @@ class TopView {
 
   colour(i) { return Colours.ofLine(i); }
 
-  /* The first car in full, further ones as ghosts beneath it, with their name and without the ways not taken. */
+  /* The first car in full, further ones as ghosts beneath it, without the ways not taken. */
   car(ink, camera, i, state, time) {
     const { cars } = this.report, several = cars.length > 1;
     const look = i ? { ...this.layers, branches: false, share: TopView.GHOST } : this.layers;
     Car.draw(ink, camera, cars[i], state, this.colour(i), look);
     Plans.draw(ink, camera, cars[i], time, several ? this.colour(i) : Colours.get("ink"), look);
-    if (several) Car.name(ink, camera, cars[i], state, this.colour(i), i);
   }
 
   draw(time) {
@@ -31,6 +30,7 @@ class TopView {
     Surroundings.obstacles(ink, camera, scene, time);
     if (this.layers.path) cars.forEach((car, i) => Car.path(ink, camera, car, time, this.colour(i)));
     for (let i = cars.length - 1; i >= 0; i--) this.car(ink, camera, i, states[i], time);
+    if (cars.length > 1) Plans.write(ink, cars.map((car, i) => Car.label(ink, camera, car, states[i], this.colour(i))));
     Surroundings.ruler(ink, camera);
   }
 

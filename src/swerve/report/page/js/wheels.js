@@ -58,11 +58,12 @@ const Wheels = (() => {
 
   const percent = use => use === null ? "in the air" : `${Math.round(100 * use)} %`;
 
+  /* Of more than two cars the numbers would not fit; the chart of friction use has them. */
   function words(ink, x, y, name, uses) {
     ink.textAlign = "center";
     ink.font = "13px system-ui, sans-serif";
     ink.fillStyle = Colours.get("ink");
-    ink.fillText(`${name}  ${uses.map(percent).join(" / ")}`, x, y);
+    ink.fillText(uses.length > 2 ? name : `${name}  ${uses.map(percent).join(" / ")}`, x, y);
   }
 
   const spoken = uses => `Friction in use: ${NAMES.map((name, i) => `${name} ${percent(uses[i])}`).join(", ")}`;
