@@ -24,7 +24,7 @@ STOPPING = 2.0  # [m/s] a stop that is nearly done is not given up: from so slow
 Array = NDArray[np.float64]
 
 MOST_PLANNED = 4  # ways in one step
-SELDOM = 4  # steps between two looks at a spare way that misses too much to be mended
+SELDOM = 4  # steps between two looks at a way that is spare and misses too much to be mended, or that is left out
 DIGITS = 5  # of a price that count: mirrored ways cost the same but for rounding
 
 
@@ -85,13 +85,19 @@ class Planning:
         return possible or found
 
     def _worth_planning(self, found: list[Way]) -> list[Way]:
-        """The way so far, or else the one with the least price, first; with the brake and the next best ones."""
+        """The way so far, or else the one with the least price, first; with the brake and the next best ones.
+
+        Prices change slowly: where there are too many ways, those of the last step stay for a few steps.
+        """
         if len(found) == 1:
             return found
         so_far = next((way for way in found if self._is_committed(way)), None)
         if so_far is not None and so_far.is_straight and self.scene.speed < STOPPING:
             return [so_far]
-        if so_far is None or len(found) > MOST_PLANNED:
+        planned = [way for way in found if way.passing in self.memory.inputs]
+        if so_far is not None and len(planned) == MOST_PLANNED and self.memory.count % SELDOM:
+            found = planned
+        elif so_far is None or len(found) > MOST_PLANNED:
             found = sorted(found, key=lambda way: float(f"{self.formulation.price(self.scene, way):.{DIGITS}g}"))
         first = so_far or found[0]
         brake = [way for way in found if way.side is None and way is not first]
