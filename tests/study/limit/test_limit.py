@@ -1,16 +1,20 @@
 """The limit of the paper's scene: what is found, what it leaves, and what holds of any limit."""
 
+from math import inf
+
 import pytest
 
 from swerve.scenario import load
-from swerve.study.limit import Means, limit_of
+from swerve.study.limit import Means, grid, limit_of
 from swerve.study.limit.best import best, least_violation
 from swerve.study.limit.point_mass import smallest_distance
+from swerve.study.limit.resimulate import TOUCH
 from swerve.study.limit.scene import Scene
 from swerve.study.limit.trajectory import Sought
 from tests.study.limit.scenes import scene
 
 PAPER = scene()
+CAR = Scene.of(load("stopped-car-town"))
 OFFSET = 'obstacles.0.position=["25 m", "{} m"]'
 
 
@@ -42,6 +46,15 @@ def test_three_percent_less_cannot_be_avoided() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("means", [Means.STEERING, Means.BOTH, Means.INDIVIDUAL])
+def test_three_percent_less_hits_a_rectangle(means: Means) -> None:
+    """A stopped car between the road's edges: every start overlaps it, by more than a drive may."""
+    found = best(CAR, means, Sought.DISTANCE)
+    assert found is not None and found.drive.is_avoided
+    assert 10 * TOUCH < least_violation(CAR.at(0.97 * found.trajectory.distance), means) < inf
+
+
+@pytest.mark.slow
 def test_a_mirrored_scene_has_the_same_limit() -> None:
     """An obstacle 0.8 m to the left is as hard as one 0.8 m to the right, and easier than one straight ahead."""
     left, right = (distance(scene(OFFSET.format(y)), Means.INDIVIDUAL) for y in (0.8, -0.8))
@@ -50,10 +63,18 @@ def test_a_mirrored_scene_has_the_same_limit() -> None:
 
 
 @pytest.mark.slow
+def test_a_grid_twice_as_fine_has_the_same_limit(monkeypatch: pytest.MonkeyPatch) -> None:
+    """To within 5 mm: that brakes alike left and right take 10 cm more than free ones is no matter of the grid."""
+    usual = distance(PAPER, Means.BOTH)
+    monkeypatch.setattr(grid, "N_INTERVALS", 2 * grid.N_INTERVALS)
+    assert distance(scene(), Means.BOTH) == pytest.approx(usual, abs=5e-3)
+
+
+@pytest.mark.slow
 def test_every_start_agrees() -> None:
-    """Left or right, braking little or much: all come within 1 % of the same distance."""
+    """Left or right, braking little or much, or from steering's limit: all come within 1 % of the same distance."""
     found = best(PAPER, Means.BOTH, Sought.DISTANCE)
-    assert found is not None and found.n_agreeing == found.n_starts == 4
+    assert found is not None and found.n_agreeing == found.n_starts == 5
 
 
 @pytest.mark.slow

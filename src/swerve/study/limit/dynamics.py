@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.conventions import DELTA, FORCES, N_INPUTS, N_STATES, N_WHEELS
+from swerve.study.limit.blocks import Kernels, kernels
+from swerve.study.limit.layout import STATE_SCALE
 from swerve.vehicle import Vehicle
 from swerve.vehicle.integrate import rk4
 from swerve.vehicle.loads import wheel_loads
@@ -22,21 +24,29 @@ Array = NDArray[np.float64]
 SUBSTEPS: Final = 2  # Runge-Kutta steps of an interval
 POLE: Final = 430.0  # [1/s m/s] of the fastest motion, times v0 / mu
 STABLE: Final = 2.8  # [1] of Runge-Kutta's method, for a real pole
+N_NUMBERS: Final = len(Parameters._fields) + 3  # of `model_numbers`
 
 
 @cache
-def dynamics(vehicle: Vehicle) -> ca.Function:
-    """(x, w, mu, h, v0) -> the state after an interval."""
-    x, shares = ca.SX.sym("x", N_STATES), ca.SX.sym("w", N_INPUTS)
-    mu, step, floor = (ca.SX.sym(name) for name in ("mu", "h", "v0"))
-    model = Parameters.of(vehicle, friction=1.0)._replace(mu=mu, v0=floor)
+def dynamics() -> Kernels:
+    """y = [x, w, mu] and `model_numbers` -> the state after an interval, in units of the program's variables."""
+    x, shares, mu = ca.SX.sym("x", N_STATES), ca.SX.sym("w", N_INPUTS), ca.SX.sym("mu")
+    model = Parameters.symbolic()
+    lock, share, step = (ca.SX.sym(name) for name in ("lock", "share", "h"))
+    given = ca.vertcat(*model, lock, share, step)
+    model = model._replace(mu=mu)
     loads = wheel_loads(model)
-    forces = (vehicle.force_limit * mu * loads[i] * shares[1 + i] for i in range(N_WHEELS))
-    u = [vehicle.steering_limit * shares[0], *forces]
+    u = [lock * shares[0], *(share * mu * loads[i] * shares[1 + i] for i in range(N_WHEELS))]
     end = x
     for _ in range(SUBSTEPS):
         end = rk4(lambda xi: ca.vertcat(*two_track(xi, u, loads, model).derivative), end, step / SUBSTEPS)
-    return ca.Function("step", [x, shares, mu, step, floor], [end])
+    return kernels("dynamics", ca.vertcat(x, shares, mu), given, end / STATE_SCALE)
+
+
+def model_numbers(vehicle: Vehicle, step: float, friction: float) -> Array:
+    """(N_NUMBERS,) what the dynamics take for intervals of `step` [s] on a friction near `friction` [1]."""
+    model = Parameters.of(vehicle, friction, slip_speed_floor(step, friction))
+    return np.array([*model, vehicle.steering_limit, vehicle.force_limit, step])
 
 
 def inputs(vehicle: Vehicle, friction: float, shares: Array) -> Array:

@@ -34,20 +34,23 @@ class Grid:
     Attributes:
         ending: for which it is long enough.
         step: of an interval [s].
+        n_intervals: N.
     """
 
     ending: Ending
     step: float
+    n_intervals: int
 
     @property
     def times(self) -> Array:
-        """Of the nodes (N_INTERVALS + 1,) [s]."""
-        return np.arange(N_INTERVALS + 1, dtype=np.float64) * self.step
+        """Of the nodes (N + 1,) [s]."""
+        return np.arange(self.n_intervals + 1, dtype=np.float64) * self.step
 
 
 def grid_for(scene: Scene, ending: Ending) -> Grid:
     """The grid for an ending, at the scene's friction."""
     if ending is Ending.BEHIND:
-        slowing = max(scene.speed - scene.slowest, WALKING)
-        return Grid(ending, STOPPING * slowing / scene.grip / N_INTERVALS)
-    return Grid(ending, (LASTING * scene.time_aside + scene.depth / scene.closing) / N_INTERVALS)
+        duration = STOPPING * max(scene.speed - scene.slowest, WALKING) / scene.grip
+    else:
+        duration = LASTING * scene.time_aside + scene.at(0.0).time_past
+    return Grid(ending, duration / N_INTERVALS, N_INTERVALS)

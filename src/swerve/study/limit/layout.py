@@ -1,4 +1,4 @@
-"""What the program is made of: its structure, where its variables and rows are, and its parameters."""
+"""What the program is made of: its structure, where its variables are, and its parameters."""
 
 from dataclasses import dataclass
 from typing import Any, Final
@@ -8,16 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.conventions import DELTA, N_STATES
-from swerve.study.limit.grid import N_INTERVALS
 from swerve.study.limit.means import Means
-from swerve.vehicle import Vehicle
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int_]
 
 STATE_SCALE: Final = np.array([10.0, 1.0, 1.0, 0.3, 10.0, 1.0])  # [m/s, m/s, rad/s, rad, m, m] per unit of a variable
 LOCK_SCALE: Final = 5.0  # of the steering lock's share: small angles matter
 DISTANCE_SCALE: Final = 10.0  # [m]
-GLOBALS: Final = 3  # D [10 m], mu [1], s [m]
+N_GLOBALS: Final = 3  # D [10 m], mu [1], s [m]
 
 
 @dataclass(frozen=True)
@@ -25,16 +24,18 @@ class Structure:
     """What the expressions depend on; all else is a parameter of the program.
 
     Attributes:
-        vehicle: its numbers are constants of the program, which halves its size.
         means: the free inputs.
         ellipses: whether each obstacle is an ellipse, or a rectangle.
         n_vertices: of the footprint.
+        has_edges: whether the road has.
+        n_intervals: N.
     """
 
-    vehicle: Vehicle
     means: Means
     ellipses: tuple[bool, ...]
     n_vertices: int
+    has_edges: bool
+    n_intervals: int
 
     @property
     def n_inputs(self) -> int:
@@ -50,21 +51,27 @@ class Structure:
 
 @dataclass(frozen=True)
 class Layout:
-    """Where the variables are, and the rows by the name of what they ask.
+    """Where the variables are.
 
     Attributes:
         states: (N, 6) of x_1 ... x_N.
         inputs: (N, n) of v_0 ... v_N-1.
         lines: (n_obstacles, N, 2).
         globals: (3,) of D, mu, s.
-        rows: slice of each group.
     """
 
-    states: NDArray[np.int_]
-    inputs: NDArray[np.int_]
-    lines: NDArray[np.int_]
-    globals: NDArray[np.int_]
-    rows: dict[str, slice]
+    states: Indices
+    inputs: Indices
+    lines: Indices
+    globals: Indices
+
+    @classmethod
+    def of(cls, structure: Structure) -> "Layout":
+        """One group after the other, each interval by interval."""
+        n, n_obstacles, n_inputs = structure.n_intervals, len(structure.ellipses), structure.n_inputs
+        sizes = np.cumsum([N_STATES * n, n_inputs * n, 2 * n_obstacles * n, N_GLOBALS])
+        states, inputs, lines, last = np.split(np.arange(sizes[-1]), sizes[:-1])
+        return cls(states.reshape(n, N_STATES), inputs.reshape(n, n_inputs), lines.reshape(n_obstacles, n, 2), last)
 
     @property
     def n(self) -> int:
@@ -80,31 +87,18 @@ class Given(dict[str, Any]):
         return ca.vertcat(*(ca.vec(value) for value in self.values()))
 
 
-def given(structure: Structure) -> Given:
-    """A symbol for each parameter; `numbers.parameters` has their meaning."""
-    n, nodes = len(structure.ellipses), N_INTERVALS + 1
+def given(structure: Structure, n_model: int) -> Given:
+    """A symbol for each parameter, of which the model takes `n_model`; `numbers.parameters` has their meaning."""
+    n, n_obstacles = structure.n_intervals, len(structure.ellipses)
     sizes = {
-        "start": (6, 1),
+        "start": (N_STATES, 1),
         "step": (1, 1),
-        "slip_speed_floor": (1, 1),
-        "cost": (GLOBALS, 1),
+        "model": (n_model, 1),
+        "cost": (N_GLOBALS, 1),
         "proximity": (1, 1),
         "vertices": (2, structure.n_vertices),
-        "inputs": (structure.n_inputs, N_INTERVALS),
+        "inputs": (structure.n_inputs, n),
     }
-    sizes |= {f"poses{i}": (3, nodes) for i in range(n)} | {f"half{i}": (2, 1) for i in range(n)}
-    sizes |= {f"lines{i}": (2, N_INTERVALS) for i in range(n)}
-    return Given({name: ca.SX.sym(name, *size) for name, size in sizes.items()})
-
-
-def layout(structure: Structure, rows: dict[str, ca.SX]) -> Layout:
-    """Where everything is, for rows in their order."""
-    n_inputs, n_obstacles = structure.n_inputs, len(structure.ellipses)
-    sizes = np.cumsum([N_STATES * N_INTERVALS, n_inputs * N_INTERVALS, 2 * n_obstacles * N_INTERVALS, GLOBALS])
-    states, inputs, lines, last = np.split(np.arange(sizes[-1]), sizes[:-1])
-    ends = np.cumsum([0, *(each.numel() for each in rows.values())])
-    slices = {name: slice(int(ends[i]), int(ends[i + 1])) for i, name in enumerate(rows)}
-    shape = (n_obstacles, N_INTERVALS, 2)
-    return Layout(
-        states.reshape(N_INTERVALS, N_STATES), inputs.reshape(N_INTERVALS, n_inputs), lines.reshape(shape), last, slices
-    )
+    sizes |= {f"poses{i}": (3, n + 1) for i in range(n_obstacles)} | {f"half{i}": (2, 1) for i in range(n_obstacles)}
+    sizes |= {f"lines{i}": (2, n) for i in range(n_obstacles)}
+    return Given({name: ca.MX.sym(name, *size) for name, size in sizes.items()})

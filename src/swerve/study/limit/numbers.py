@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from swerve.conventions import PSI, VX, R
 from swerve.study.limit import point_mass
-from swerve.study.limit.dynamics import slip_speed_floor
+from swerve.study.limit.dynamics import N_NUMBERS, model_numbers
 from swerve.study.limit.grid import Ending, Grid
 from swerve.study.limit.layout import DISTANCE_SCALE, STATE_SCALE, Layout, Structure, given
 from swerve.study.limit.program import CREEP, END_YAW_RATE
@@ -19,6 +19,7 @@ from swerve.study.limit.trajectory import Sought, Trajectory
 Array = NDArray[np.float64]
 
 WIDEST_TURN: Final = pi / 2  # [rad] from the heading at the start
+FURTHEST: Final = 0.8  # [1] of the guess's value: what is sought goes no further in one solve
 COST: Final = np.array([1.0, 10.0, 1.0])  # c of D [m], mu [1] (so much are they worth of each other), s [m]
 
 
@@ -50,7 +51,7 @@ def bounds(
     known = [guess.distance / DISTANCE_SCALE, guess.friction, 0.0]
     lower[layout.globals] = upper[layout.globals] = known
     free = layout.globals[sought.value]
-    lower[free], upper[free] = _least(scene, sought), inf
+    lower[free], upper[free] = max(_least(scene, sought), FURTHEST * known[sought.value]), inf
     return lower, upper
 
 
@@ -61,22 +62,21 @@ def _least(scene: Scene, sought: Sought) -> float:
     return point_mass.smallest_friction(scene) if sought is Sought.FRICTION else 0.0
 
 
-def rows(layout: Layout, scene: Scene, grid: Grid) -> tuple[Array, Array]:
+def rows(groups: dict[str, slice], scene: Scene, grid: Grid) -> tuple[Array, Array]:
     """Smallest and largest value of each row."""
-    n_rows = max(each.stop for each in layout.rows.values())
+    n_rows = max(each.stop for each in groups.values())
     lower, upper = np.zeros(n_rows), np.full(n_rows, inf)
-    upper[layout.rows["dynamics"]] = 0.0
-    edges = scene.road.right_edge, scene.road.left_edge
-    lower[layout.rows["edges"]] = -inf if edges[0] is None else edges[0]
-    upper[layout.rows["edges"]] = inf if edges[1] is None else edges[1]
+    upper[groups["dynamics"]] = 0.0
+    if "edges" in groups:
+        lower[groups["edges"]], upper[groups["edges"]] = scene.road.right_edge, scene.road.left_edge
     change = scene.vehicle.steering_rate_limit * grid.step / scene.vehicle.steering_limit
-    lower[layout.rows["rate"]], upper[layout.rows["rate"]] = -change, change
+    lower[groups["rate"]], upper[groups["rate"]] = -change, change
     if isfinite(change):  # the staircase of held inputs goes through the middle of a ramp
-        first = layout.rows["rate"].start
+        first = groups["rate"].start
         lower[first], upper[first] = -change / 2, change / 2
     own = float(scene.footprint.support(AHEAD)[1])
     ends = [own + reach(each, AHEAD, grid.times[-1])[0] if scene.is_passed(each) else -inf for each in scene.obstacles]
-    lower[layout.rows["past"]] = ends if grid.ending is Ending.PAST else -inf
+    lower[groups["past"]] = ends if grid.ending is Ending.PAST else -inf
     return lower, upper
 
 
@@ -86,7 +86,7 @@ def parameters(structure: Structure, scene: Scene, sought: Sought, guess: Trajec
     values: dict[str, Any] = {
         "start": scene.start,
         "step": guess.grid.step,
-        "slip_speed_floor": slip_speed_floor(guess.grid.step, guess.friction),
+        "model": model_numbers(scene.vehicle, guess.grid.step, guess.friction),
         "cost": COST * np.eye(3)[sought.value],
         "proximity": proximity,
         "vertices": scene.footprint.outline().T,
@@ -97,4 +97,4 @@ def parameters(structure: Structure, scene: Scene, sought: Sought, guess: Trajec
         values[f"half{i}"] = np.array(extents(obstacle.shape))
     for i, obstacle in enumerate(scene.at(guess.distance).obstacles):
         values[f"lines{i}"] = gaps(obstacle, scene.footprint, guess.states, times)[0].T
-    return np.concatenate([np.ravel(values[name], order="F") for name in given(structure)])
+    return np.concatenate([np.ravel(values[name], order="F") for name in given(structure, N_NUMBERS)])

@@ -10,21 +10,22 @@ subject to  x_k+1 = F(x_k, w_k, mu),  two Runge-Kutta steps of eq. (1) with stat
 
 One of D, mu and s is free and minimised: the distance, the friction, or the violation at a distance that is given. The
 primes are those of the guess, and p is how much it costs to leave it: many controls do equally well, and without that
-term the solver wanders among them. See `descent` for what becomes of it.
+term the solver wanders among them. See `solve` for what becomes of it.
 """
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
+from operator import add
 from typing import Any, Final
 
 import casadi as ca
+import numpy as np
 
-from swerve.conventions import N_STATES, PSI, VX, VY, X, Y
-from swerve.study.limit.dynamics import dynamics
-from swerve.study.limit.grid import N_INTERVALS
-from swerve.study.limit.layout import DISTANCE_SCALE, LOCK_SCALE, STATE_SCALE, Given, Layout, Structure, given, layout
-from swerve.study.limit.separation import rows as separation_rows
-from swerve.study.limit.separation import turned
+from swerve.conventions import DELTA, VX, VY, X
+from swerve.study.limit.blocks import Block
+from swerve.study.limit.dynamics import N_NUMBERS
+from swerve.study.limit.intervals import blocks_of
+from swerve.study.limit.layout import DISTANCE_SCALE, STATE_SCALE, Given, Layout, Structure, given
 
 LINE_WEIGHT: Final = 0.3  # [m] and [m / m^2], times p
 END_SIDESLIP: Final = 0.05  # [rad]
@@ -48,85 +49,85 @@ SOLVER: Final = {
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """The program of a structure, ready to be solved with any numbers."""
+    """The program of a structure, ready to be solved with any numbers.
+
+    Attributes:
+        layout: of the variables.
+        rows: slice of each group of rows, by the name of what it asks.
+        solver: IPOPT.
+    """
 
     layout: Layout
+    rows: dict[str, slice]
     solver: ca.Function
 
 
 @cache
 def program(structure: Structure) -> Program:
     """Build the program, once in a process."""
-    x, v, lines, (distance, mu, slack) = _variables(structure)
-    p = given(structure)
-    states = ca.horzcat(p["start"], ca.diag(STATE_SCALE) @ x)
-    shares = ca.DM(structure.means.directions) @ v
-    shares[0, :] /= LOCK_SCALE
-    shift = DISTANCE_SCALE * distance
-    step, clock = dynamics(structure.vehicle), (p["step"], p["slip_speed_floor"])
-    ends = [step(states[:, k], shares[:, k], mu, *clock) for k in _intervals()]
-    groups = {
-        "dynamics": [(states[:, k + 1] - ends[k]) / STATE_SCALE for k in _intervals()],
-        "separation": _separation(structure, states, lines, shift, slack, p),
-        "in hand": [states[VX, k] + sign * states[VY, k] for k in _intervals(1) for sign in (1, -1)],
-        "edges": [_vertex(states[:, k], p["vertices"][:, i])[1] for k in _intervals(1) for i in _vertices(structure)],
-        "rate": [ca.diff(ca.horzcat(0, shares[0, :]).T)],
-        "end": [CREEP + END_SIDESLIP * states[VX, -1] + sign * states[VY, -1] for sign in (1, -1)],
-        "past": [states[X, -1] - shift - p[f"poses{i}"][0, -1] for i in range(len(structure.ellipses))],
+    p, layout = given(structure, N_NUMBERS), Layout.of(structure)
+    x = ca.MX.sym("x", layout.n)
+    blocks, linear = blocks_of(structure, layout, x, p), _linear(structure, layout, x, p)
+    nexts = ca.vec(_picked(x, layout.states))
+    groups = {name: ca.vertcat(*(each.rows for each in group)) for name, group in blocks.items()} | linear
+    groups["dynamics"] -= nexts
+    slopes = {name: ca.vertcat(*(each.jacobian for each in group)) for name, group in blocks.items()}
+    slopes["dynamics"] -= ca.jacobian(nexts, x)
+    rows, cost, point = ca.vertcat(*groups.values()), _cost(layout, x, p), {"x": x, "p": p.vector()}
+    jacobian = ca.vertcat(*slopes.values(), ca.jacobian(ca.vertcat(*linear.values()), x))
+    weighted = {"lam_f": ca.MX.sym("lam_f"), "lam_g": ca.MX.sym("lam_g", rows.numel())}
+    hessian = weighted["lam_f"] * ca.triu(ca.hessian(cost, x)[0]) + _curvature(blocks, weighted["lam_g"])
+    options: dict[str, Any] = {
+        "print_time": False,
+        "calc_lam_p": False,
+        "no_nlp_grad": True,  # of no use to IPOPT, and compiled functions would have to be differentiated for it
+        "ipopt": SOLVER,
+        "grad_f": _function("nlp_grad_f", point, {"f": cost, "grad_f_x": ca.gradient(cost, x)}),
+        "jac_g": _function("nlp_jac_g", point, {"g": rows, "jac_g_x": jacobian}),
+        "hess_lag": _function("nlp_hess_l", point | weighted, {"triu_hess_gamma_x_x": hessian}),
     }
-    variables = ca.vertcat(ca.vec(x), ca.vec(v), *(ca.vec(each) for each in lines), distance, mu, slack)
-    cost = ca.dot(p["cost"], ca.vertcat(shift, mu, slack)) + p["proximity"] * _far(v, lines, p)
-    rows = {name: ca.vertcat(*group) for name, group in groups.items()}
-    problem = {"x": variables, "p": p.vector(), "f": cost, "g": ca.vertcat(*rows.values())}
-    options: dict[str, Any] = {"print_time": False, "calc_lam_p": False, "ipopt": SOLVER}
-    solver = ca.nlpsol("limit", "ipopt", problem, options)
-    return Program(layout(structure, rows), solver)
+    solver = ca.nlpsol("limit", "ipopt", point | {"f": cost, "g": rows}, options)
+    ends = np.cumsum([0, *(each.numel() for each in groups.values())])
+    return Program(layout, {name: slice(int(ends[i]), int(ends[i + 1])) for i, name in enumerate(groups)}, solver)
 
 
-def _variables(structure: Structure) -> tuple[ca.SX, ca.SX, list[ca.SX], list[ca.SX]]:
-    lines = [ca.SX.sym(f"line{i}", 2, N_INTERVALS) for i in range(len(structure.ellipses))]
-    x, v = ca.SX.sym("x", N_STATES, N_INTERVALS), ca.SX.sym("v", structure.n_inputs, N_INTERVALS)
-    return x, v, lines, [ca.SX.sym(name) for name in ("D", "mu", "s")]
+def _curvature(blocks: dict[str, list[Block]], weights: ca.MX) -> ca.MX:
+    """The rows' part of the Hessian, its upper triangle; blocks come first among the rows."""
+    stacked = [block for group in blocks.values() for block in group]
+    ends = np.cumsum([0, *(block.n_rows for block in stacked)]).tolist()
+    parts = (block.hessian(weights[ends[i] : ends[i + 1]]) for i, block in enumerate(stacked))
+    return reduce(add, parts)
 
 
-def _far(v: ca.SX, lines: list[ca.SX], p: Given) -> ca.SX:
-    """How far inputs and lines are from the guess's."""
-    far: ca.SX = p["step"] * ca.sumsqr(v - p["inputs"])
-    for i, each in enumerate(lines):
-        far += LINE_WEIGHT * ca.sumsqr(each - p[f"lines{i}"])
-    return far
+def _function(name: str, inputs: dict[str, ca.MX], outputs: dict[str, ca.MX]) -> ca.Function:
+    return ca.Function(name, list(inputs.values()), list(outputs.values()), list(inputs), list(outputs))
 
 
-def _intervals(first: int = 0) -> range:
-    return range(first, N_INTERVALS + first)
+def _picked(x: ca.MX, where: Any) -> ca.MX:
+    """Variables (n, m) at indices (m, n)."""
+    return ca.reshape(x[np.ravel(where).tolist()], *np.shape(where)[::-1])
 
 
-def _vertices(structure: Structure) -> range:
-    return range(structure.n_vertices)
+def _linear(structure: Structure, layout: Layout, x: ca.MX, p: Given) -> dict[str, ca.MX]:
+    """The rows of which every interval has one or two, or only the last."""
+    states = ca.diag(STATE_SCALE) @ _picked(x, layout.states)
+    inputs = ca.diag(1 / structure.input_scale) @ _picked(x, layout.inputs)
+    steering = (ca.DM(structure.means.directions) @ inputs)[DELTA, :]
+    shift = DISTANCE_SCALE * x[int(layout.globals[0])]
+    end = states[:, -1]
+    return {
+        "in hand": ca.vec(ca.vertcat(states[VX, :] + states[VY, :], states[VX, :] - states[VY, :])),
+        "rate": ca.diff(ca.horzcat(0, steering).T),
+        "end": ca.vertcat(*(CREEP + END_SIDESLIP * end[VX] + sign * end[VY] for sign in (1, -1))),
+        "past": ca.vertcat(*(end[X] - shift - p[f"poses{i}"][0, -1] for i in range(len(structure.ellipses)))),
+    }
 
 
-def _vertex(x: ca.SX, vertex: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Where a vertex of the footprint is in the world [m]."""
-    right, up = turned(vertex[0], vertex[1], x[PSI])
-    return x[X] + right, x[Y] + up
-
-
-def _separation(
-    structure: Structure, states: ca.SX, lines: list[ca.SX], shift: ca.SX, slack: ca.SX, p: Given
-) -> list[ca.SX]:
-    """Rows of each obstacle in each interval, not negative [m]."""
-    found: list[ca.SX] = []
-    for i, is_ellipse in enumerate(structure.ellipses):
-        seen = [_seen(states[:, k], p[f"poses{i}"][:, k], shift, p["vertices"]) for k in range(N_INTERVALS + 1)]
-        for k in _intervals():
-            found += separation_rows(is_ellipse, p[f"half{i}"], lines[i][:, k], seen[k] + seen[k + 1], slack)
-    return found
-
-
-def _seen(x: ca.SX, pose: ca.SX, shift: ca.SX, vertices: ca.SX) -> list[tuple[ca.SX, ca.SX]]:
-    """The footprint's vertices in the frame of an obstacle with `pose`, shifted."""
-    found = []
-    for vertex in ca.horzsplit(vertices):
-        at_x, at_y = _vertex(x, vertex)
-        found.append(turned(at_x - pose[0] - shift, at_y - pose[1], -pose[2]))
-    return found
+def _cost(layout: Layout, x: ca.MX, p: Given) -> ca.MX:
+    """What is minimised, and how far inputs and lines are from the guess's."""
+    distance, mu, slack = (x[int(i)] for i in layout.globals)
+    far = p["step"] * ca.sumsqr(_picked(x, layout.inputs) - p["inputs"])
+    for i, each in enumerate(layout.lines):
+        far += LINE_WEIGHT * ca.sumsqr(_picked(x, each) - p[f"lines{i}"])
+    cost: ca.MX = ca.dot(p["cost"], ca.vertcat(DISTANCE_SCALE * distance, mu, slack)) + p["proximity"] * far
+    return cost

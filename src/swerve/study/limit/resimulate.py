@@ -4,7 +4,7 @@ DOP853 of SciPy with tight tolerances on the right-hand side of eq. (1), interva
 angles rounded off below the plant's speed only, and the distances of `world` every millisecond or less.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from math import ceil
 from typing import Final
@@ -14,16 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from swerve.conventions import VX, VY, R, X
+from swerve.conventions import VX, VY, R
 from swerve.kernel import Kernel
 from swerve.study.limit.dynamics import inputs
 from swerve.study.limit.grid import Ending
 from swerve.study.limit.program import CREEP, END_SIDESLIP, END_YAW_RATE
-from swerve.study.limit.scene import AHEAD, Scene, reach
+from swerve.study.limit.scene import Scene
 from swerve.study.limit.trajectory import Trajectory
 from swerve.vehicle.loads import wheel_loads
 from swerve.vehicle.two_track import Parameters, symbols, two_track
-from swerve.world import Ellipse, clearance, distance_ratio
+from swerve.world import Ellipse, Obstacle, Rectangle, clearance, distance_ratio
 
 Array = NDArray[np.float64]
 
@@ -44,6 +44,7 @@ class Drive:
         states: (n, 6).
         ratio: smallest sqrt(rho) over all ellipses [1]; None without one.
         clearance: smallest distance to an obstacle [m].
+        is_clear: whether no obstacle was touched, but for what the program's tolerances and chords leave.
         is_inside: whether the road's edges were kept.
         is_stable: whether the end is what the program asks of it.
     """
@@ -52,14 +53,14 @@ class Drive:
     states: Array
     ratio: float | None
     clearance: float
+    is_clear: bool
     is_inside: bool
     is_stable: bool
 
     @property
     def is_avoided(self) -> bool:
         """Whether nothing was touched, the road kept and the end stable."""
-        touches_nothing = self.clearance > 0 or (self.ratio is not None and self.ratio >= KEPT)
-        return touches_nothing and self.is_inside and self.is_stable
+        return self.is_clear and self.is_inside and self.is_stable
 
 
 def resimulate(scene: Scene, found: Trajectory) -> Drive:
@@ -67,15 +68,21 @@ def resimulate(scene: Scene, found: Trajectory) -> Drive:
     scene = scene.at(found.distance).on(found.friction)
     times, states = _integrate(scene, found)
     poses = states[:, [4, 5, 3]]
-    ratios = [
-        float(distance_ratio(scene.footprint, poses, each, times).min())
-        for each in scene.obstacles
-        if isinstance(each.shape, Ellipse)
-    ]
-    distances = [float(clearance(scene.footprint, poses, each, times).min()) for each in scene.obstacles]
-    is_inside = _is_inside(scene, poses)
+    ellipses = [each for each in scene.obstacles if isinstance(each.shape, Ellipse)]
+    ratios = [float(distance_ratio(scene.footprint, poses, each, times).min()) for each in ellipses]
     ratio = min(ratios, default=None)
-    return Drive(times, states, ratio, min(distances), is_inside, _is_stable(scene, found, times[-1], states[-1]))
+    distance = min(float(clearance(scene.footprint, poses, each, times).min()) for each in scene.obstacles)
+    cores = [_core(each, each.shape) for each in scene.obstacles if isinstance(each.shape, Rectangle)]
+    touched = [bool((clearance(scene.footprint, poses, each, times) <= 0).any()) for each in cores]
+    is_clear = not any(touched) and (ratio is None or ratio >= KEPT)
+    is_inside, is_stable = _is_inside(scene, poses), _is_stable(scene, found, times[-1], states[-1])
+    return Drive(times, states, ratio, distance, is_clear, is_inside, is_stable)
+
+
+def _core(obstacle: Obstacle, shape: Rectangle) -> Obstacle:
+    """A rectangle without the margin that may be overlapped."""
+    length, width = (max(size - 2 * TOUCH, size / 2) for size in (shape.length, shape.width))
+    return replace(obstacle, shape=replace(shape, length=length, width=width))
 
 
 def _integrate(scene: Scene, found: Trajectory) -> tuple[Array, Array]:
@@ -122,7 +129,4 @@ def _is_stable(scene: Scene, found: Trajectory, time: float, end: Array) -> bool
     is_straight = abs(end[VY]) <= LOOSER * (CREEP + END_SIDESLIP * end[VX]) and abs(end[R]) <= LOOSER * END_YAW_RATE
     if found.grid.ending is Ending.BEHIND:
         return bool(is_straight and end[VX] <= scene.slowest + LOOSER * CREEP)
-    own = float(scene.footprint.support(AHEAD)[1])
-    passed = filter(scene.is_passed, scene.obstacles)
-    past = [end[X] - each.position_at(time)[0] - reach(each, AHEAD, time)[0] - own for each in passed]
-    return bool(is_straight and min(past, default=0.0) >= -PAST)
+    return bool(is_straight and scene.past(end, time) >= -PAST)

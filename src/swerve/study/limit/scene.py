@@ -5,13 +5,13 @@ shift moves all obstacles by as much, so that what lies between them stays.
 """
 
 from dataclasses import dataclass, replace
-from math import sqrt
+from math import inf, sqrt
 from typing import Final, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.conventions import GRAVITY
+from swerve.conventions import GRAVITY, X
 from swerve.errors import InputError
 from swerve.scenario import Scenario
 from swerve.study.limit.shifted import shifted
@@ -24,6 +24,7 @@ AHEAD: Final = np.array([[1.0, 0.0], [-1.0, 0.0]])
 ASIDE: Final = np.array([[0.0, 1.0], [0.0, -1.0]])
 FORESEEN: Final = np.arange(0.0, 10.0, 0.1)  # [s] when an obstacle's speed is looked at
 STRAYING: Final = 0.1  # [m/s] across the road, which is none
+DRIVE: Final = np.arange(0.0, 60.0, 0.01)  # [s] within which an obstacle is met
 WALKING: Final = 1.0  # [m/s]
 
 
@@ -82,8 +83,8 @@ class Scene:
         return max(0.0, self._slowest)
 
     def is_passed(self, obstacle: Obstacle) -> bool:
-        """Whether an obstacle is slower, so that the vehicle comes past it; beside any other one it keeps clear."""
-        return bool(obstacle.velocity_at(0.0)[0] < self.speed - WALKING)
+        """Whether an obstacle is or becomes slower, so that the vehicle comes past it; of any other it keeps clear."""
+        return bool(_slowest(obstacle) < self.speed - WALKING)
 
     @property
     def closing(self) -> float:
@@ -102,7 +103,7 @@ class Scene:
 
     @property
     def _slowest(self) -> float:
-        return min(float(each.velocity_at(FORESEEN)[:, 0].min()) for each in self.obstacles)
+        return min(map(_slowest, self.obstacles))
 
     @property
     def room(self) -> float:
@@ -110,12 +111,23 @@ class Scene:
         own = float(self.footprint.support(ASIDE).max())
         return own + max(float(reach(each, ASIDE).max()) for each in self.obstacles)
 
+    def meeting(self, obstacle: Obstacle, beyond: float = 0.0) -> float:
+        """When the vehicle, going straight on, is as far as an obstacle's centre, or some way [m] beyond [s]."""
+        reached = self.start[X] + self.speed * DRIVE >= obstacle.position_at(DRIVE)[:, 0] + beyond
+        return float(DRIVE[np.argmax(reached)] if reached.any() else DRIVE[-1])
+
     @property
-    def depth(self) -> float:
-        """From the first obstacle's centre ahead to where the vehicle is past them all, standing still [m]."""
+    def time_past(self) -> float:
+        """How long the vehicle takes, going straight on, to pass all obstacles that it passes [s]."""
+        own = float(self.footprint.support(AHEAD)[1])
         passed = filter(self.is_passed, self.obstacles)
-        ends = [float(each.position_at(0.0)[0] + reach(each, AHEAD)[0]) for each in passed]
-        return max(ends, default=0.0) - float(self.start[4]) - self.distance + float(self.footprint.support(AHEAD)[1])
+        return max((self.meeting(each, float(reach(each, AHEAD)[0]) + own) for each in passed), default=0.0)
+
+    def past(self, state: Array, time: float) -> float:
+        """How far a vehicle is past the last obstacle that it passes, at a time [s]; inf with none to pass [m]."""
+        own = float(state[X] - self.footprint.support(AHEAD)[1])
+        passed = filter(self.is_passed, self.obstacles)
+        return min((own - each.position_at(time)[0] - reach(each, AHEAD, time)[0] for each in passed), default=inf)
 
     @property
     def grip(self) -> float:
@@ -130,6 +142,11 @@ class Scene:
     def on(self, friction: float) -> "Scene":
         """The same scene on another friction [1]."""
         return replace(self, friction=friction)
+
+
+def _slowest(obstacle: Obstacle) -> float:
+    """The smallest speed along X that an obstacle comes to [m/s]."""
+    return float(obstacle.velocity_at(FORESEEN)[:, 0].min())
 
 
 def reach(obstacle: Obstacle, directions: Array, time: float = 0.0) -> Array:

@@ -9,6 +9,7 @@ which is exact for convex bodies. One line for both ends keeps the chord between
 rectangle has corners, so a rectangle's four vertices v have an offset d of their own:  n . v <= d <= n . q + s.
 """
 
+from functools import cache
 from typing import Any, Final
 
 import casadi as ca
@@ -16,11 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swerve.conventions import PSI, X
+from swerve.study.limit.blocks import Kernels, kernels
 from swerve.world import Ellipse, Footprint, Obstacle, Rectangle, Shape
 
 Array = NDArray[np.float64]
 
-N_CORNERS: Final = 4
 OFFSET: Final = 0.1  # [m] of a line from the obstacle, where there is room for it
 
 
@@ -33,31 +34,52 @@ def extents(shape: Shape) -> tuple[float, float]:
     raise TypeError(f"an obstacle is an ellipse or a rectangle, got a {type(shape).__name__}")
 
 
-def rows(is_ellipse: bool, half: Any, line: Any, seen: list[Any], slack: Any) -> list[Any]:
-    """What must not be negative [m].
+@cache
+def separation(is_ellipse: bool, n_vertices: int) -> Kernels:
+    """What must not be negative in an interval [m].
 
-    Args:
-        is_ellipse: or a rectangle.
-        half: (2,) of `extents`.
-        line: theta [rad] and d [m].
-        seen: vertices of the ego vehicle in the obstacle's frame, each (2,).
-        slack: s [m].
+    Of y = [X Y psi at its start, X Y psi at its end, theta, d, the shift D, s], and of the obstacle's pose at its start
+    and at its end, its `extents`, and the vertices of the footprint.
     """
+    own, line, shift, slack = ca.SX.sym("own", 3, 2), ca.SX.sym("line", 2), ca.SX.sym("D"), ca.SX.sym("s")
+    poses, half, vertices = ca.SX.sym("poses", 3, 2), ca.SX.sym("half", 2), ca.SX.sym("vertices", 2, n_vertices)
+    seen = [
+        _turned(vertex_at[0] - pose[0] - shift, vertex_at[1] - pose[1], -pose[2])
+        for x, pose in zip(ca.horzsplit(own), ca.horzsplit(poses), strict=True)
+        for vertex_at in (vertex_in_world(x, vertex) for vertex in ca.horzsplit(vertices))
+    ]
+    y = ca.vertcat(ca.vec(own), line, shift, slack)
+    numbers = ca.vertcat(ca.vec(poses), half, ca.vec(vertices))
+    name = f"separation_{'ellipse' if is_ellipse else 'rectangle'}_{n_vertices}"
+    return kernels(name, y, numbers, ca.vertcat(*_rows(is_ellipse, half, line, seen, slack)))
+
+
+def _rows(is_ellipse: bool, half: ca.SX, line: ca.SX, seen: list[tuple[ca.SX, ca.SX]], slack: ca.SX) -> list[ca.SX]:
     n_x, n_y = ca.cos(line[0]), ca.sin(line[0])
     offset = ca.sqrt((half[0] * n_x) ** 2 + (half[1] * n_y) ** 2) if is_ellipse else line[1]
-    own = [n_x * q[0] + n_y * q[1] + slack - offset for q in seen]
+    own = [n_x * x + n_y * y + slack - offset for x, y in seen]
     if is_ellipse:
         return own
     corners = [(i * half[0], j * half[1]) for i in (-1, 1) for j in (-1, 1)]
     return [*own, *(line[1] - n_x * x - n_y * y for x, y in corners)]
 
 
-def n_rows(is_ellipse: bool, n_seen: int) -> int:
-    """How many `rows` there are."""
-    return n_seen + (1 if is_ellipse else N_CORNERS)
+@cache
+def heights(n_vertices: int) -> Kernels:
+    """Y of the footprint's vertices [m], of y = [psi, Y] and of the vertices."""
+    y, vertices = ca.SX.sym("y", 2), ca.SX.sym("vertices", 2, n_vertices)
+    pose = ca.vertcat(0, y[1], y[0])
+    at = [vertex_in_world(pose, vertex)[1] for vertex in ca.horzsplit(vertices)]
+    return kernels(f"heights_{n_vertices}", y, ca.vec(vertices), ca.vertcat(*at))
 
 
-def turned(x: Any, y: Any, angle: Any) -> tuple[Any, Any]:
+def vertex_in_world(pose: ca.SX, vertex: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Where a vertex of the footprint is [m], for a pose [X, Y, psi]."""
+    right, up = _turned(vertex[0], vertex[1], pose[2])
+    return pose[0] + right, pose[1] + up
+
+
+def _turned(x: Any, y: Any, angle: Any) -> tuple[Any, Any]:
     """The vector (x, y) turned anticlockwise by `angle` [rad]."""
     cos, sin = ca.cos(angle), ca.sin(angle)
     return cos * x - sin * y, sin * x + cos * y

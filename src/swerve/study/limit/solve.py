@@ -60,10 +60,11 @@ def solve(scene: Scene, means: Means, sought: Sought, guess: Trajectory, proximi
         proximity: p [m/s].
     """
     shapes = tuple(isinstance(each.shape, Ellipse) for each in scene.obstacles)
-    structure = Structure(scene.vehicle, means, shapes, len(scene.footprint.outline()))
+    has_edges = scene.road.left_edge is not None
+    structure = Structure(means, shapes, len(scene.footprint.outline()), has_edges, guess.grid.n_intervals)
     made = program(structure)
     lower, upper = numbers.bounds(made.layout, structure, scene, sought, guess)
-    low, high = numbers.rows(made.layout, scene, guess.grid)
+    low, high = numbers.rows(made.rows, scene, guess.grid)
     start = numbers.variables(made.layout, structure, scene, guess)
     p = numbers.parameters(structure, scene, sought, guess, proximity)
     x = np.array(made.solver(x0=start, p=p, lbx=lower, ubx=upper, lbg=low, ubg=high)["x"]).ravel()
