@@ -9,7 +9,7 @@ PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test slow lint bench numbers library pictures docs clean
+.PHONY: help demo test slow lint bench numbers maps library pictures docs clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST) | expand -t 14
@@ -39,6 +39,14 @@ numbers: $(VENV)/.installed ## measure the tables and figures that the documenta
 	$(BIN)/swerve compare paper wet stopped-car-town slower-lead pedestrian-running both-lanes-blocked ice-patch --out build/compare
 	cp build/compare/comparison.md docs/measured/compare.md
 	cp build/compare/paper.png docs/measured/compare-paper.png
+
+maps: $(VENV)/.installed-dev ## make the maps that the documentation shows; takes an hour or more, and goes on where it was stopped
+	for plant in planar multibody; do \
+		$(BIN)/swerve map paper --controllers unified --plant $$plant --out build/envelope-$$plant && \
+		cp build/envelope-$$plant/map.md docs/measured/envelope-$$plant.md || exit 1; \
+	done
+	$(BIN)/swerve map paper --out build/map
+	cp build/map/map.md build/map/map.png docs/measured/
 
 library: $(VENV)/.installed ## write the documentation's page of the scenario library
 	$(BIN)/python docs/hooks/library.py > docs/library.md

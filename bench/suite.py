@@ -6,6 +6,7 @@ from typing import Final
 
 import numpy as np
 
+from bench import map as parallel
 from bench import multibody, peers, processes, unified
 from bench.statistic import Statistic
 from bench.stopwatch import Step
@@ -22,6 +23,7 @@ TIMES: Final = ("median", "p99", "max")
 STEP_LIMITS: Final = (2.0, 8.0, 25.0)  # [ms]
 WALL_LIMITS: Final = {"import swerve": 0.8, "swerve run paper": 3.0, "swerve run paper --plant planar": 3.0}  # [s]
 LEAST_REAL_TIME: Final = 500.0  # of the multibody plant [1]
+LEAST_SHARE: Final = 0.9  # of two plain processes' gain, that a map's second worker has [1]
 SIDES: Final[Mapping[str, Callable[[Step], float]]] = {
     "left": lambda step: step.parts["solve"][0],
     "right": lambda step: step.parts["solve"][1],
@@ -37,6 +39,7 @@ def tables() -> Iterator[Table]:
     yield from _peers(scenario)
     yield _plants()
     yield _processes()
+    yield _workers()
 
 
 def _step(scenario: Scenario) -> Table:
@@ -116,6 +119,19 @@ def _plants() -> Table:
 def _processes() -> Table:
     rows = [[name, time, WALL_LIMITS.get(name)] for name, time in processes.wall_times(N_RUNS).items()]
     return Table("processes", f"Processes by the clock, the best of {N_RUNS} [s]", ("command", "time", "limit"), rows)
+
+
+def _workers() -> Table:
+    gains = parallel.gains()
+    share = gains.map / gains.machine
+    rows: list[list[Cell]] = [
+        ["time with one worker [s]", gains.times[1], None],
+        ["time with two workers [s]", gains.times[2], None],
+        ["gain of two workers over one", gains.map, None],
+        ["gain of two busy processes over one", gains.machine, None],
+        ["share of that gain", share, LEAST_SHARE],
+    ]
+    return Table("map_workers", "A map of eight boundaries by one and two workers", ("", "measured", "least"), rows)
 
 
 def _typical(runs: Sequence[Sequence[Step]], time: Callable[[Step], float]) -> Statistic:

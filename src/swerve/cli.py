@@ -20,6 +20,7 @@ from swerve.commands import (
     fit_tyre,
     limit,
     manoeuvres,
+    map,
     reproduce,
     run,
     scenarios,
@@ -30,7 +31,20 @@ from swerve.errors import InputError, SwerveError
 
 INTERRUPTED: Final = 130  # 128 + SIGINT, as shells have it
 BROKEN_PIPE: Final = 141  # 128 + SIGPIPE
-COMMANDS: Final = (run, compare, scenarios, fit_tyre, reproduce, export, view, manoeuvres, limit, criticality, studies)
+COMMANDS: Final = (
+    run,
+    compare,
+    scenarios,
+    fit_tyre,
+    reproduce,
+    export,
+    view,
+    manoeuvres,
+    limit,
+    map,
+    criticality,
+    studies,
+)
 
 
 def main(argv: Sequence[str] | None = None) -> int:

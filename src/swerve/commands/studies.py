@@ -55,15 +55,6 @@ def _random_scenes(
     return write_survey(surveys, out)
 
 
-def _envelope(out: Path, seed: int, executor: Executor | None, part: Callable[[float, float], Progress]) -> list[Path]:
-    """Nothing in it is random."""
-    from swerve.report.envelope import as_markdown
-    from swerve.study.envelope import envelope
-
-    envelopes = [envelope("planar", part(0.0, 0.5), executor), envelope("multibody", part(0.5, 1.0), executor)]
-    return _written(out, "envelope.md", as_markdown(envelopes))
-
-
 def _fuzz(out: Path, seed: int, executor: Executor | None, part: Callable[[float, float], Progress]) -> list[Path]:
     """One step follows the other, in this process."""
     from swerve.report.fuzz import as_markdown
@@ -80,4 +71,4 @@ def _written(directory: Path, name: str, text: str) -> list[Path]:
     return [directory / name]
 
 
-STUDIES: Final[dict[str, Study]] = {"random-scenes": _random_scenes, "envelope": _envelope, "fuzz": _fuzz}
+STUDIES: Final[dict[str, Study]] = {"random-scenes": _random_scenes, "fuzz": _fuzz}

@@ -5,9 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from swerve import __version__
-from swerve.report.markdown import table
 from swerve.study.limit import Limits, Optimum
-from swerve.study.limit.map import LimitMap
 
 
 def limits_json(limits: Limits) -> str:
@@ -42,20 +40,6 @@ def limits_table(limits: Limits) -> str:
     return "\n".join([head, "", names, *rows, bound, "", *legend])
 
 
-def map_markdown(found: LimitMap) -> str:
-    """A row for each friction and a column for each speed, with the bound from below."""
-    speeds = [f"{speed:g} m/s" for speed in found.speeds]
-    rows = [
-        [f"{friction:g}", *(_pair(cell.distance, cell.bound) for cell in row)]
-        for friction, row in zip(found.frictions, found.cells, strict=True)
-    ]
-    return f"""Measured by swerve {__version__} in `{found.scenario}`, means `{found.means.value}`:
-smallest distance [m], in brackets the point mass's.
-
-{table(["friction", *speeds], rows)}
-"""
-
-
 def _cells(limits: Limits, index: int) -> Sequence[str]:
     limit = limits.limits[index]
     shortest = limit.shortest
@@ -77,10 +61,6 @@ def _row(*cells: str) -> str:
     widths = (12, 10, 9, 10, 11, 11, 10)
     first, *rest = cells
     return f"{first:<{widths[0]}}" + "".join(f"{cell:>{w}}" for cell, w in zip(rest, widths[1:], strict=True))
-
-
-def _pair(distance: float | None, bound: float) -> str:
-    return f"{_number(distance, 1)} ({bound:.1f})"
 
 
 def _measured(optimum: Optimum | None) -> dict[str, Any] | None:

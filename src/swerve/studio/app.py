@@ -1,4 +1,4 @@
-"""What the studio answers: pages, finished runs, scenes, and jobs. Its API is told at /api/openapi.json."""
+"""What the studio answers: pages, finished runs, maps, scenes, and jobs. Its API is told at /api/openapi.json."""
 
 from collections.abc import AsyncIterator, Collection
 from contextlib import asynccontextmanager
@@ -21,6 +21,7 @@ from swerve.simulate.assemble import controller_named, plant_named
 from swerve.studio.answers import Choices, Fault, JobTold, NewJob, RunListed, ScenarioListed, SceneToml
 from swerve.studio.guard import Guard
 from swerve.studio.jobs import Job, Jobs, QueueFull
+from swerve.studio.maps import Maps, add_maps
 from swerve.studio.pages import ASSETS, asset, two_reports
 from swerve.studio.runs import REPORT, Runs
 from swerve.studio.scene import Moved, library, moved_toml, read_scene, start_of
@@ -71,6 +72,7 @@ def studio_app(directory: Path, hosts: Collection[str], jobs: Jobs | None = None
     app.add_exception_handler(InputError, _tell_input)
     _add_pages(app)
     _add_runs(app, runs)
+    add_maps(app, Maps(directory), IN_REPORT)
     _add_scenes(app)
     _add_jobs(app, jobs)
     return app

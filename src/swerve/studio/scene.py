@@ -21,7 +21,13 @@ CONTENTS: Final = "a scenario has name, duration, [road], [ego] and [goal] at le
 LONGEST_TOML: Final = 20_000  # [character]
 MOST_ROWS: Final = 400_000  # of the log's motion, which has to be in memory
 MOST_OBSTACLES: Final = 30
-TEXTS: Final = {"speed": "speed {}", "distance": "obstacle at X = {}", "friction": "friction {}", "offset": "at Y = {}"}
+TEXTS: Final = {
+    "speed": "speed {}",
+    "distance": "obstacle at X = {}",
+    "friction": "friction {}",
+    "offset": "at Y = {}",
+    "duration": "for {}",
+}
 
 Quantity = Annotated[str, Field(max_length=40)] | Annotated[float, Field(strict=True, allow_inf_nan=False)]
 
@@ -35,6 +41,7 @@ class Moved(BaseModel):
         distance: X of the first obstacle; the others keep their places from it.
         friction: of the road.
         offset: Y of the first obstacle; likewise.
+        duration: of the run.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
@@ -44,6 +51,7 @@ class Moved(BaseModel):
     distance: Quantity | None = Field(None, examples=["30 m"])
     friction: Quantity | None = Field(None, examples=[0.5])
     offset: Quantity | None = Field(None, examples=["-0.3 m"])
+    duration: Quantity | None = Field(None, examples=["8 s"])
 
 
 @cache
@@ -118,6 +126,8 @@ def _move(tables: dict[str, Any], place: tuple[float, float] | None, changes: di
         tables["ego"]["speed"] = tables["goal"]["speed"] = changes["speed"]
     if "friction" in changes:
         tables["road"]["friction"] = changes["friction"]
+    if "duration" in changes:
+        tables["duration"] = changes["duration"]
     if "distance" in changes or "offset" in changes:
         _shift(tables, _shift_of(place, changes))
     told = ", ".join(text.format(changes[key]) for key, text in TEXTS.items() if key in changes)

@@ -13,9 +13,9 @@ from swerve.report.exports.folder import read_run_folder
 from swerve.report.page.data import document, names
 from swerve.report.page.motion import MOST_ROWS, Motion
 from swerve.report.page.obstacles import obstacles_in_words
-from swerve.report.page.page import embedded
 from swerve.report.page.plans import MOST_POINTS
 from swerve.report.page.scene import scene_json
+from swerve.report.page.single_file import embedded
 from swerve.scenario import load
 from swerve.scenario.obstacle import ObstacleSettings
 from swerve.simulate import Log, Run, Table

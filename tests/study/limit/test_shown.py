@@ -1,15 +1,13 @@
-"""What is shown of limits: JSON, table and map."""
+"""What is shown of limits: JSON and table."""
 
 import json
 
-import numpy as np
 import pytest
 
 from swerve.conventions import GRAVITY
-from swerve.report.limit import limits_json, limits_table, map_markdown
+from swerve.report.limit import limits_json, limits_table
 from swerve.scenario import load
 from swerve.study.limit import Means, limits_of
-from swerve.study.limit.map import limit_map
 
 
 def test_json_and_table_say_the_same() -> None:
@@ -23,13 +21,3 @@ def test_json_and_table_say_the_same() -> None:
     assert braking["at_distance"]["distance_ratio"] >= 0.999
     assert told["point_mass"]["distance"] < braking["distance"]
     assert f"{braking['distance']:.2f} m" in limits_table(limits)
-
-
-def test_a_map_has_a_row_for_each_friction_and_a_column_for_each_speed() -> None:
-    """Braking's distance, less the radius, falls as 1 / mu."""
-    found = limit_map("paper", Means.BRAKING, speeds=(20.0,), frictions=(0.5, 1.0))
-    distances = np.array([row[0].distance for row in found.cells], dtype=float) - 2
-    assert distances[0] / distances[1] == pytest.approx(2.0, rel=1e-3)
-    rows = map_markdown(found).splitlines()
-    assert sum(row.startswith("|") for row in rows) == 4
-    assert any(f"{distances[1] + 2:.1f} (" in row for row in rows)

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from html import escape
-from importlib.resources import files
 from pathlib import Path
 from string import Template
 from typing import Final
@@ -11,12 +10,16 @@ from swerve import __version__
 from swerve.report.comparison.measures import LEGEND, MEASURES, shown
 from swerve.report.comparison.names import folder_name
 from swerve.report.page.head import badge
-from swerve.report.page.page import asset
+from swerve.report.page.single_file import Asset
 from swerve.report.picture import picture
 from swerve.study.comparison import Comparison, Entry, Group
 
 POLICY: Final = "default-src 'none'; style-src 'unsafe-inline'"  # it has no script
-STYLES: Final = ("css/palette.css", "css/style.css")  # of the pages that it leads to
+STYLES: Final = (  # those of the pages that it leads to, and its own
+    Asset("swerve.report.page", "css/palette.css"),
+    Asset("swerve.report.page", "css/style.css"),
+    Asset(__package__, "overview.css"),
+)
 REFUSED: Final = '<span class="badge">Refused</span>'
 
 
@@ -29,9 +32,9 @@ def write_overview(comparison: Comparison, names: Sequence[str], path: Path) -> 
         path: of the page.
     """
     pairs = list(zip(comparison.groups, names, strict=True))
-    text = Template(_own("overview.html")).substitute(
+    text = Template(Asset(__package__, "overview.html").text).substitute(
         policy=POLICY,
-        styles="".join(f"<style>\n{each}</style>\n" for each in (*map(asset, STYLES), _own("overview.css"))),
+        styles="".join(f"<style>\n{each.text}</style>\n" for each in STYLES),
         about=escape(f"{_count(comparison)} on {comparison.plant}, seed {comparison.seed}"),
         outcomes=_outcomes(comparison, names),
         sections="".join(_section(group, name) for group, name in pairs),
@@ -39,10 +42,6 @@ def write_overview(comparison: Comparison, names: Sequence[str], path: Path) -> 
         version=escape(__version__),
     )
     path.write_text(text, encoding="utf-8", newline="\n")
-
-
-def _own(name: str) -> str:
-    return files(__package__).joinpath(name).read_text(encoding="utf-8")
 
 
 def _count(comparison: Comparison) -> str:

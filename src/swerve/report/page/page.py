@@ -1,27 +1,21 @@
-"""The page: a template filled with words, the document and the assets beside this file.
+"""The page: a template filled with words, the document and the assets beside this file."""
 
-Everything is in the one file, so that it opens from disk and can be sent. What is written into it cannot run: words are
-escaped, "<" never stands in the document as it is, and a content security policy allows the page's own scripts alone,
-by their hashes, and no network at all.
-"""
-
-import json
-from base64 import b64encode
 from collections.abc import Sequence
-from hashlib import sha256
 from html import escape
-from importlib.resources import files
 from pathlib import Path
-from string import Template
 from typing import Any, Final
 
 from swerve.report.page.data import document
 from swerve.report.page.head import badge, comparison_table, fact_list, result_table, tiles
+from swerve.report.page.single_file import Asset, single_file
 from swerve.simulate import Run
 
 SCRIPTS: Final = (  # each uses only those before it
     "vendor/uPlot.iife.min.js",
+    "js/elements.js",
     "js/colours.js",
+    "js/theme.js",
+    "js/printing.js",
     "js/player.js",
     "js/track.js",
     "js/camera.js",
@@ -72,34 +66,22 @@ def _write(path: Path, runs: Sequence[Run], content: dict[str, Any], numbers: st
 
 
 def _page(runs: Sequence[Run], content: dict[str, Any], numbers: str) -> str:
-    first, scripts = runs[0], [asset(name) for name in SCRIPTS]
-    return Template(asset("template.html")).substitute(
+    first = runs[0]
+    return single_file(
+        _asset("template.html"),
+        [_asset(name) for name in STYLES],
+        [_asset(name) for name in SCRIPTS],
+        content,
         title=escape(first.scenario.name),
         description=escape(first.scenario.description),
         source=escape(first.scenario.source),
-        policy=_policy(scripts),
-        styles="".join(f"<style>\n{asset(name)}</style>\n" for name in STYLES),
         numbers=numbers,
         facts=fact_list(runs),
         results=result_table(runs),
         scenario=escape(first.scenario.to_toml()),
         version=escape(first.result.version),
-        document=embedded(content),
-        scripts="".join(f"<script>{script}</script>\n" for script in scripts),
     )
 
 
-def embedded(content: dict[str, Any]) -> str:
-    """A document as JSON that can stand between script tags, whatever words are in it."""
-    text = json.dumps(content, allow_nan=False, separators=(",", ":"))  # other letters than ASCII are escaped as well
-    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
-
-
-def _policy(scripts: Sequence[str]) -> str:
-    hashes = " ".join(f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'" for script in scripts)
-    return f"default-src 'none'; style-src 'unsafe-inline'; script-src {hashes}"
-
-
-def asset(name: str) -> str:
-    """The text of a file of the page."""
-    return files(__package__).joinpath(name).read_text(encoding="utf-8")
+def _asset(name: str) -> Asset:
+    return Asset(__package__, name)

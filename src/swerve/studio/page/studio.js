@@ -7,6 +7,7 @@ const Studio = (() => {
     { key: "offset", label: "Offset of the obstacle to the left", unit: "m", factor: 1, min: -5, max: 5, step: 0.1 },
     { key: "friction", label: "Friction", unit: "", factor: 1, min: 0.1, max: 1.2, step: 0.05 },
   ];
+  const CHOSEN = ["scenario", "controller", "plant", "seed"];  // besides what is moved
   const EVERY = 60;  // between two questions about a job [ms]
   const CALM = 120;  // without another move, until the scene is asked for [ms]
   let scenarios = [], moved = {}, asked = 0, timer = 0, scene = Promise.resolve(), job = null;
@@ -130,8 +131,8 @@ const Studio = (() => {
     for (const [id, names] of [["scenario", scenarios.map(each => each.name)], ["controller", choices.controllers], ["plant", choices.plants]]) {
       byId(id).append(...names.map(name => new Option(name, name)));
     }
-    byId("scenario").value = "paper";
-    byId("plant").value = "multibody";
+    const wanted = new URLSearchParams(location.search);
+    for (const [id, value] of [["scenario", "paper"], ["plant", "multibody"], ...wanted].filter(each => CHOSEN.includes(each[0]))) choose(id, value);
     byId("scenario").addEventListener("change", pick);
     byId("scene").addEventListener("submit", event => { event.preventDefault(); run(); });
     byId("cancel").addEventListener("click", () => job && ask(`/api/jobs/${job.number}`, "DELETE").catch(error => tell(error.message)));
@@ -139,6 +140,25 @@ const Studio = (() => {
     byId("toml").addEventListener("input", () => { asked += 1; clearTimeout(timer); scene = Promise.resolve(); tell(""); });
     byId("frame").addEventListener("load", event => fit(event.target));
     pick();
+    place(wanted);
+  }
+
+  /* What there is no such choice of stays as it is. */
+  function choose(id, value) {
+    const input = byId(id), before = input.value;
+    input.value = value;
+    if (!input.validity.valid || input.value !== value) input.value = before;
+  }
+
+  /* What the address says of the scene, in SI: ?scenario=paper&speed=20&distance=15.8, as a map's page writes it. */
+  function place(wanted) {
+    const isNumber = key => wanted.has(key) && Number.isFinite(Number(wanted.get(key))) && wanted.get(key).trim() !== "";
+    for (const { key, factor } of SLIDERS.filter(each => isNumber(each.key))) {
+      moved[key] = Number(wanted.get(key));
+      for (const input of [byId(`range-${key}`), byId(`number-${key}`)]) input.value = shown(moved[key] * factor);
+    }
+    if (isNumber("duration")) moved.duration = Number(wanted.get("duration"));
+    if (Object.keys(moved).length) renew(0);
   }
 
   begin().catch(error => tell(error.message));

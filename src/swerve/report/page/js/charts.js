@@ -82,11 +82,6 @@ class Charts {
   }
 }
 
-const inner = holder => {
-  const style = getComputedStyle(holder);
-  return Math.max(120, holder.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight));
-};
-
 /* From the values' range to the axis': `from` a fixed end, `upTo` the largest end, at least `least` high. */
 function extent({ from, upTo = Infinity, least = 0 }, low, high) {
   const start = from ?? low ?? 0, end = Math.max(start + 1e-6, high ?? 1), missing = Math.max(0, least - (end - start)) / 2;

@@ -55,10 +55,3 @@ function row(kind, cells, isTaken = false) {
 const number = (value, digits) => value === null ? "–" : value.toLocaleString("en", { maximumFractionDigits: digits, minimumFractionDigits: digits });
 const distance = value => value === null ? "–" : value >= 0.005 ? `${number(value, 2)} m` : "no";
 const speed = value => value === null ? "no" : `${number(3.6 * value, 0)} km/h`;
-
-function element(tag, text = "", name = "") {
-  const made = document.createElement(tag);
-  made.textContent = text;
-  if (name) made.className = name;
-  return made;
-}

@@ -1,10 +1,9 @@
 "use strict";
 /* Reads the document, puts the parts together, and shows the instant after "#t=" in the address, or the start; with
-   "play" in it, plays from there. A page round this one has its own button for light and dark. */
+   "play" in it, plays from there. */
 const Report = (() => {
   const report = JSON.parse(document.getElementById("document").textContent);
   const player = new Player(report.scene.end, report.scene.sample_time), wanted = new URLSearchParams(location.hash.slice(1));
-  if (window.parent !== window) document.documentElement.dataset.framed = "";
   Colours.read();
   const view = new TopView(document.getElementById("view"), report);
   const wheels = document.getElementById("wheels");
@@ -16,21 +15,15 @@ const Report = (() => {
   player.listen(time => Wheels.draw(wheels, report.cars, time));
 
   function recolour() {
-    label();
     Colours.read();
     charts.renew();
     player.changed();
   }
 
-  const dark = matchMedia("(prefers-color-scheme: dark)"), toggle = document.getElementById("theme");
-  const isDark = () => (document.documentElement.dataset.theme ?? (dark.matches ? "dark" : "light")) === "dark";
-  const label = () => { toggle.textContent = isDark() ? "Light" : "Dark"; };
-  toggle.addEventListener("click", () => { document.documentElement.dataset.theme = isDark() ? "light" : "dark"; recolour(); });
-  dark.addEventListener("change", recolour);
+  Theme.begin(recolour);
   document.querySelector(".ramp i").style.background = Colours.ramp();
   for (const key of document.querySelectorAll(".key[data-car]")) key.style.borderTopColor = `var(--line-${key.dataset.car % 4 + 1})`;
   new ResizeObserver(() => player.changed()).observe(view.canvas);
-  label();
   player.seek(Number(wanted.get("t")) || 0);
   if (wanted.has("play") && !matchMedia("(prefers-reduced-motion: reduce)").matches) player.toggle();
   return { report, player, view, charts, controls, paper };
