@@ -10,6 +10,7 @@ by automatic differentiation of the whole step: lateral forces, load and frictio
 """
 
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any
 
 import casadi as ca
@@ -108,6 +109,7 @@ class PredictionModel:
         return Linearisation(f_x[:, :N_STATES], f_u[:, :N_STATES], f_x[:, N_STATES:], f_u[:, N_STATES:])
 
 
+@cache
 def _sample() -> ca.Function:
     """(x, u, Fz, p, Ts) -> x_k+1, y, |M|/D."""
     x, u, loads, p = symbols()
@@ -126,6 +128,7 @@ def _sample() -> ca.Function:
     return ca.Function("sample", [x, u, loads, ca.vertcat(*p), duration], ca.cse([end, y, ca.vertcat(*demand)]))
 
 
+@cache
 def _sample_with_jacobians() -> ca.Function:
     """(x, u, Fz, p, Ts) -> x_k+1, d[x_k+1; y]/dx, d[x_k+1; y]/du."""
     sample = _sample()
