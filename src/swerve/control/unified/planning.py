@@ -125,14 +125,14 @@ class Planning:
 
         What is new and whose turn it is come first, as the time may not last for all.
         """
-        turn = self.memory.count % len(begun)
+        turn = self._turn(begun)
         order = sorted(range(len(begun)), key=lambda i: (i != turn and not self._is_new(begun[i]), i))
         found = {i: self._plan(begun[i], is_thorough=i == turn or self._is_new(begun[i])) for i in order}
         return [found[i] for i in range(len(begun))]
 
     def _spare(self, plans: list[WayPlan]) -> list[WayPlan]:
         """The same plans, of which one in turn has had a single iteration."""
-        turn = self._turn([plan.violation <= HOPELESS for plan in plans])
+        turn = self._turn(plans)
         if turn is None or self.deadline.is_over:
             return plans
         plan = plans[turn]
@@ -140,10 +140,10 @@ class Planning:
             plan = replace(plan, step=self._best_guess(plan))
         return [*plans[:turn], improve(plan, 1), *plans[turn + 1 :]]
 
-    def _turn(self, may_go: list[bool]) -> int | None:
-        """Whose turn it is among spare ways, those that may go before all; None where it is nobody's."""
-        going = [i for i, goes in enumerate(may_go) if goes]
-        hopeless = [i for i, goes in enumerate(may_go) if not goes]
+    def _turn(self, plans: list[WayPlan]) -> int | None:
+        """Whose turn it is, for most of the time among those that may go; None where it is nobody's."""
+        hopeless = [i for i, plan in enumerate(plans) if plan.violation > HOPELESS]
+        going = [i for i in range(len(plans)) if i not in hopeless]
         round_, rest = divmod(self.memory.count, SELDOM)
         if hopeless and rest == 0:
             return hopeless[round_ % len(hopeless)]

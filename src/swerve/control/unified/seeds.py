@@ -14,8 +14,8 @@ from swerve.vehicle import Vehicle
 
 Array = NDArray[np.float64]
 
-SHARES = (0.12, 0.3, 0.65)  # [1] of the steering angle that uses all grip
-LENGTHS = (0.25, 0.5, 0.75)  # [1] of the horizon that the pulse lasts
+SHARES = (0.12, 0.28, 0.55, 0.75)  # [1] of the steering angle that uses all grip
+LENGTHS = (0.2, 0.4, 0.6, 0.8)  # [1] of the horizon that the pulse lasts
 UNDONE = 0.5  # [1] of the pulse, in the other direction, for the rest of the horizon
 STOPS = (0.4, 0.7, 0.95)  # [1] of the largest wheel forces
 TO_THE_LEFT = np.array([-1.0, 1.0, -1.0, 1.0])  # signs of wheel forces whose moment turns to the left
