@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 from swerve.commands.options import add_seed, checked
 from swerve.commands.pool import add_workers, check_workers, pool
 from swerve.commands.printing import print_paths
-from swerve.errors import InputError, unknown
+from swerve.commands.quantities import names
 
 if TYPE_CHECKING:
     from swerve.report import Progress
@@ -40,9 +40,12 @@ def _compare(options: argparse.Namespace) -> int:
     from swerve.scenario import load
 
     scenarios = [load(each, options.set) for each in options.scenarios]
+    from swerve.simulate import CONTROLLERS as KNOWN
     from swerve.simulate import DEFAULT_PLANT, PLANTS
 
-    controllers = CONTROLLERS if options.controllers is None else _named(options.controllers)
+    controllers = (
+        CONTROLLERS if options.controllers is None else names("controllers", "controller", options.controllers, KNOWN)
+    )
     plant = checked("plant", options.plant, PLANTS) or DEFAULT_PLANT
     check_workers(options.workers)
     from swerve.report import Progress, prepare_output
@@ -58,17 +61,6 @@ def _compare(options: argparse.Namespace) -> int:
         paths = [] if options.out is None else _written(found, options.out, progress)
     _print(found, paths, options)
     return 0
-
-
-def _named(text: str) -> list[str]:
-    """Names in their order, each once; InputError for one that is none."""
-    from swerve.simulate import CONTROLLERS as KNOWN
-
-    names = list(dict.fromkeys(name.strip() for name in text.split(",")))
-    for name in names:
-        if name not in KNOWN:
-            raise InputError(f"--controllers: {unknown('controller', name, KNOWN)}")
-    return names
 
 
 def _written(found: "Comparison", directory: Path, progress: "Progress") -> list[Path]:

@@ -4,7 +4,7 @@ import argparse
 import sys
 from typing import Any, Final
 
-from swerve.errors import InputError, unknown
+from swerve.commands.quantities import names
 
 MEANS: Final = ("braking", "steering", "both", "individual")  # `study.limit.Means`, which takes long to import
 
@@ -25,21 +25,12 @@ def _limit(options: argparse.Namespace) -> int:
     from swerve.scenario import load
 
     scenario = load(options.scenario, options.set)
-    names = MEANS if options.means is None else _named(options.means)
+    means = MEANS if options.means is None else names("means", "mean", options.means, MEANS)
     from swerve.report.limit import limits_json, limits_table
     from swerve.report.progress import Progress
     from swerve.study.limit import Means, limits_of
 
     with Progress(sys.stderr) as progress:
-        limits = limits_of(scenario, [Means(name) for name in names], progress)
+        limits = limits_of(scenario, [Means(name) for name in means], progress)
     print(limits_json(limits) if options.json else limits_table(limits))
     return 0
-
-
-def _named(text: str) -> list[str]:
-    """Names in their order, each once; InputError for one that is none."""
-    names = list(dict.fromkeys(name.strip() for name in text.split(",")))
-    for name in names:
-        if name not in MEANS:
-            raise InputError(f"--means: {unknown('mean', name, MEANS)}")
-    return names

@@ -3,20 +3,23 @@
 import argparse
 import os
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from swerve.commands.limit import MEANS
+from swerve.commands.options import add_seed, checked
+from swerve.commands.pool import pool
 from swerve.commands.printing import print_paths
-from swerve.errors import InputError, SwerveError, shown_path, unknown
-from swerve.units import to_si
+from swerve.commands.quantities import names, quantities, quantity
+from swerve.errors import InputError, SwerveError, shown_path
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from swerve.study.map import Map, MapSettings
+    from swerve.simulate import Run
+    from swerve.study.map import Condition, Map, MapSettings
 
 SPEEDS: Final = "15,20,25,30,35"  # [m/s]
 FRICTIONS: Final = "0.3,0.5,0.85,1.0"
@@ -30,6 +33,7 @@ RANGES: Final = {  # by the dimension: smallest and largest value
 }
 MOST_WORKERS: Final = 256
 REPORT_SHARE: Final = 0.02  # of the time [1]
+REPLAY_SHARE: Final = 0.15  # of it, with replays [1]
 
 
 def add_command(commands: Any) -> None:
@@ -45,10 +49,11 @@ def add_command(commands: Any) -> None:
     parser.add_argument("--tolerance", default="0.1 m", metavar="Q", help="of a boundary [0.1 m]")
     parser.add_argument("--limit", default=LIMITS, metavar="M,M,...", help=f"of {', '.join(MEANS)}; or none [{LIMITS}]")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="replace a value")
-    parser.add_argument("--seed", type=int, default=0, help="of all that is random [0]")
+    add_seed(parser)
     parser.add_argument("--workers", type=int, metavar="N", help="processes on this machine [one for each core]")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a dask scheduler that is there, with its workers")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="where to; a map begun there goes on")
+    parser.add_argument("--replays", action="store_true", help="write pages to watch the runs at each boundary, too")
     parser.add_argument("--json", action="store_true", help="print the map as one JSON object")
 
 
@@ -59,8 +64,10 @@ def _map(options: argparse.Namespace) -> int:
 
     prepare_output(options.out)
     with Progress(sys.stderr) as progress:
-        made, runs = _made(settings, options, n_workers, progress.part(0.0, 1.0 - REPORT_SHARE))
-        paths = [runs, *_written(made, options)]
+        share = REPLAY_SHARE if options.replays else REPORT_SHARE
+        made, runs = _made(settings, options, n_workers, progress.part(0.0, 1.0 - share))
+        replays = _replays(settings, made, n_workers, progress.part(1.0 - share, 1.0)) if options.replays else {}
+        paths = [runs, *_written(made, replays, options)]
     _print(made, paths, options.json)
     return 0
 
@@ -71,20 +78,16 @@ def _settings(options: argparse.Namespace) -> "MapSettings":
     from swerve.simulate import CONTROLLERS, DEFAULT_PLANT, PLANTS
     from swerve.study.map import MapSettings
 
-    plant = options.plant or DEFAULT_PLANT
-    if plant not in PLANTS:
-        raise InputError(f"--plant: {unknown('plant', plant, PLANTS)}")
-    if options.seed < 0:
-        raise InputError(f"--seed: {options.seed} is no seed; write a whole number from 0")
+    plant = checked("plant", options.plant, PLANTS) or DEFAULT_PLANT
     return MapSettings(
         scenario=load(options.scenario, options.set),
-        controllers=_names("controllers", "controller", options.controllers, CONTROLLERS),
+        controllers=names("controllers", "controller", options.controllers, CONTROLLERS),
         plant=plant,
-        speeds=_quantities("speeds", options.speeds, "speed"),
-        frictions=_quantities("frictions", options.frictions, "dimensionless"),
-        offsets=_quantities("offsets", options.offsets, "length"),
-        tolerance=_quantity("tolerance", options.tolerance, "length", *TOLERANCES),
-        means=() if options.limit == "none" else _names("limit", "mean", options.limit, MEANS),
+        speeds=quantities("speeds", options.speeds, "speed", *RANGES["speed"]),
+        frictions=quantities("frictions", options.frictions, "dimensionless", *RANGES["dimensionless"]),
+        offsets=quantities("offsets", options.offsets, "length", *RANGES["length"]),
+        tolerance=quantity("tolerance", options.tolerance, "length", *TOLERANCES),
+        means=() if options.limit == "none" else names("limit", "mean", options.limit, MEANS),
         seed=options.seed,
     )
 
@@ -133,22 +136,32 @@ def _kept(records: "dict[str, Any]", place: str) -> str:
     return f"{len(records)} results are kept in {place}"
 
 
-def _written(made: "Map", options: argparse.Namespace) -> list[Path]:
+def _replays(
+    settings: "MapSettings", made: "Map", n_workers: int, progress: Callable[[float], None]
+) -> "dict[Condition, list[Run]]":
+    from swerve.study.map import cells_of
+    from swerve.study.map.replays import replayed
+
+    with pool(n_workers) as executor:
+        return replayed(cells_of(settings), made, executor, progress)
+
+
+def _written(made: "Map", replays: "dict[Condition, list[Run]]", options: argparse.Namespace) -> list[Path]:
     """The files that are made of it."""
-    from swerve.report.map import as_markdown, write_figure, write_map
-    from swerve.report.map.commands import Source
+    from swerve.report.map import Source, as_markdown, write_figure, write_map, write_replays
     from swerve.report.output import filled
     from swerve.study.map.written import map_json, write_boundaries
 
+    watched = write_replays(replays, options.out) if replays else []
     with filled(options.out) as place:
         write_boundaries(made, place / "boundaries.parquet")
         (place / "map.json").write_text(map_json(made) + "\n", encoding="utf-8", newline="\n")
         (place / "map.md").write_text(as_markdown(made), encoding="utf-8", newline="\n")
         for name in ("map.png", "map.pdf"):
             write_figure(made, place / name)
-        write_map(made, place / "map.html", Source(options.scenario, tuple(options.set)))
-    names = ("boundaries.parquet", "map.json", "map.md", "map.png", "map.pdf", "map.html")
-    return [options.out / name for name in names]
+        write_map(made, place / "map.html", Source(options.scenario, tuple(options.set)), list(replays))
+    written = ("boundaries.parquet", "map.json", "map.md", "map.png", "map.pdf", "map.html")
+    return [*(options.out / name for name in written), *watched]
 
 
 def _print(made: "Map", paths: list[Path], is_json: bool) -> None:
@@ -157,35 +170,3 @@ def _print(made: "Map", paths: list[Path], is_json: bool) -> None:
     if is_json:
         print(map_json(made))
     print_paths(paths, sys.stderr if is_json else sys.stdout)
-
-
-def _names(option: str, kind: str, text: str, known: Iterable[str]) -> tuple[str, ...]:
-    """Names in their order, each once; InputError for one that is none."""
-    names = tuple(dict.fromkeys(name.strip() for name in text.split(",")))
-    for name in names:
-        if name not in known:
-            raise InputError(f"--{option}: {unknown(kind, name, known)}")
-    return names
-
-
-def _quantities(option: str, text: str, dimension: str) -> tuple[float, ...]:
-    """Quantities in ascending order, each once; InputError for one that cannot be."""
-    values = (_quantity(option, each, dimension, *RANGES[dimension]) for each in text.split(","))
-    return tuple(sorted(set(values)))
-
-
-def _quantity(option: str, text: str, dimension: str, low: float, high: float) -> float:
-    try:
-        value = to_si(_number(text), dimension)
-    except ValueError as error:
-        raise InputError(f"--{option}: {error}") from error
-    if not low <= value <= high:
-        raise InputError(f"--{option}: {text.strip()} is out of range; write {low:g} to {high:g}, in SI")
-    return value
-
-
-def _number(text: str) -> float | str:
-    try:
-        return float(text)
-    except ValueError:
-        return text.strip()
