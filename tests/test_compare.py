@@ -113,6 +113,28 @@ def test_an_interrupt_leaves_no_process_and_no_file(tmp_path: Path, everybody: b
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="no /proc to see processes in")
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
+def test_processes_end_with_the_one_that_began_them(tmp_path: Path, number: int) -> None:
+    """However it ends, none of its processes stays behind."""
+    with subprocess.Popen([*LONG], stderr=subprocess.DEVNULL, cwd=tmp_path, start_new_session=True) as running:
+        until = time.monotonic() + 60
+        while len(children := _children(running.pid)) < 2 and time.monotonic() < until:
+            time.sleep(0.05)
+        time.sleep(1.0)
+        running.send_signal(number)
+    until = time.monotonic() + 20
+    while (left := [child for child in children if _is_running(child)]) and time.monotonic() < until:
+        time.sleep(0.05)
+    assert len(children) == 2
+    assert left == []
+
+
+def _is_running(pid: str) -> bool:
+    status = Path(f"/proc/{pid}/stat")
+    return status.exists() and status.read_text().rpartition(")")[2].split()[0] != "Z"
+
+
 def _children(pid: int) -> list[str]:
     path = Path(f"/proc/{pid}/task/{pid}/children")
     return path.read_text().split() if path.exists() else []

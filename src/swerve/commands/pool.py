@@ -2,11 +2,13 @@
 
 import argparse
 import multiprocessing
+import os
 import signal
 import sys
 from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor
 from contextlib import contextmanager
+from threading import Thread
 from typing import Any, Final
 
 from swerve.errors import InputError, SwerveError
@@ -50,9 +52,18 @@ def pool(n: int) -> Iterator[Executor | None]:
 
 
 def _end_when_told() -> None:
-    """Leave by an exception, so that a compiler which is waited for is ended as well."""
+    """Leave by an exception, so that a compiler which is waited for is ended as well; and with whoever began it all."""
     for each in (signal.SIGINT, signal.SIGTERM):
         signal.signal(each, _leave)
+    Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    """However the parent ends: nobody is left who would take what is done here."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def _leave(number: int, frame: Any) -> None:
