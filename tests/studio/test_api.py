@@ -8,7 +8,8 @@ import schemathesis
 from hypothesis import HealthCheck, given, settings
 from schemathesis.specs.openapi.checks import positive_data_acceptance
 
-from swerve.scenario import load
+from swerve.cli import main
+from swerve.scenario import library_names, load, parse
 from tests.studio.servers import JSON, Server
 
 PAPER = load("paper").to_toml()
@@ -17,6 +18,8 @@ PAPER = load("paper").to_toml()
 OPERATIONS = [
     ("GET", "/api/choices"),
     ("GET", "/api/runs"),
+    ("GET", "/api/maps"),
+    ("GET", "/api/comparisons"),
     ("POST", "/api/scene"),
     ("POST", "/api/jobs"),
     ("GET", "/api/jobs/{number}"),
@@ -24,10 +27,14 @@ OPERATIONS = [
     ("GET", "/runs/{name}/report.html"),
     ("GET", "/runs/{name}/thumbnail.svg"),
     ("GET", "/compare"),
+    ("GET", "/maps/{name}/map.html"),
+    ("GET", "/maps/{name}/replays/{replay}"),
+    ("GET", "/comparisons/{name}/{page}"),
+    ("GET", "/comparisons/{name}/{run}/report.html"),
 ]
 
 
-WITHOUT_INPUT = OPERATIONS[:2]
+WITHOUT_INPUT = OPERATIONS[:4]
 RIGHT, WRONG = schemathesis.GenerationMode.POSITIVE, schemathesis.GenerationMode.NEGATIVE
 CASES = [(*each, mode) for each in OPERATIONS for mode in (RIGHT, WRONG) if mode is RIGHT or each not in WITHOUT_INPUT]
 DEEPER = [positive_data_acceptance]  # what a scenario allows is told by its own schema, not by the API's
@@ -55,9 +62,7 @@ def test_whatever_is_asked_is_answered_as_told(
     @settings(max_examples=12, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
     @given(case=operation.as_strategy(generation_mode=mode))
     def check(case: schemathesis.Case) -> None:
-        case.call_and_validate(
-            excluded_checks=[positive_data_acceptance]
-        )  # what a scenario allows is told by its schema
+        case.call_and_validate(excluded_checks=DEEPER)
 
     check()
 
@@ -78,6 +83,11 @@ def test_whatever_is_asked_is_answered_as_told(
         "/assets/..%2fapp.py",
         "/compare?first=..&second=unified",
         "/compare?first=unified&second=%2fetc",
+        "/maps/../map.html",
+        "/maps/unified/map.html",
+        "/comparisons/../report.html",
+        "/comparisons/unified/report.html",
+        "/comparisons/%2e%2e/unified/report.html",
         "//etc/passwd",
     ],
 )
@@ -117,6 +127,26 @@ def test_junk_is_told_what_is_wrong(server: Server, path: str, body: bytes, stat
     assert found == status
     assert words in detail
     assert detail.isprintable()
+
+
+def test_everything_with_a_name_can_be_chosen(server: Server, capsys: pytest.CaptureFixture[str]) -> None:
+    """What `swerve scenarios` lists is offered, a family's members under it, and begins where its numbers are."""
+    assert main(["scenarios", "--json"]) == 0
+    known = [each["name"] for each in json.loads(capsys.readouterr().out)]
+    choices = server.get("/api/choices")
+    starts = {each["name"]: each["start"] for each in choices["scenarios"]}
+    assert list(starts) == known
+    assert [each for family in choices["families"] for each in family["members"]] == known[len(library_names()) :]
+    assert choices["families"][0]["pattern"] == "ccrs-SPEED-ilIMPACT"
+    assert starts["ccrs-50-il75"]["speed"] == pytest.approx(50 / 3.6)
+    assert starts["ccrs-50-il75"]["offset"] == pytest.approx(0.25 * 1.815)
+
+
+def test_a_member_of_a_family_is_a_scene(server: Server) -> None:
+    """What comes back for it loads as the member does on the command line."""
+    status, answer = server.post("/api/scene", {"scenario": "cut-out-90-70"})
+    assert status == 200
+    assert parse(answer["toml"].encode(), "scene") == load("cut-out-90-70")
 
 
 def test_a_form_of_another_page_is_no_json(server: Server) -> None:

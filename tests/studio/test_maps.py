@@ -9,7 +9,9 @@ import pytest
 
 from swerve.report.map import write_map, write_replays
 from swerve.report.map.replays import replay_name
-from swerve.studio.maps import Maps
+from swerve.studio.folders import maps as maps_in
+from swerve.studio.folders import pages
+from swerve.studio.routes.maps import REPLAYS
 from swerve.study.map.boundary import Condition
 from tests.report.map.maps import SOURCE, made, reached
 from tests.report.runs import made as made_run
@@ -55,9 +57,9 @@ def test_maps_are_listed_and_served(server: Server) -> None:
 
 def test_a_folder_that_is_a_map_is_listed(maps: Path) -> None:
     """A map's own folder is a list of one; pages that are links are not part of it."""
-    own = Maps(maps / "<b>&")
-    assert own.names() == {"<b>&": (maps / "<b>&").resolve()}
-    assert list(own.replays("<b>&")) == [replay_name(CONDITION)]
+    own = maps / "<b>&"
+    assert maps_in(own) == {"<b>&": own.resolve()}
+    assert list(pages(own / REPLAYS)) == [replay_name(CONDITION)]
 
 
 def test_links_are_no_maps(tmp_path: Path) -> None:
@@ -70,9 +72,8 @@ def test_links_are_no_maps(tmp_path: Path) -> None:
     (tmp_path / "root" / "two").symlink_to(tmp_path / "outside")
     (tmp_path / "root" / "three").mkdir()
     (tmp_path / "root" / "three" / "map.html").symlink_to("/etc/passwd")
-    found = Maps(tmp_path / "root")
-    assert list(found.names()) == ["one"]
-    assert found.replays("one") == {}
+    assert list(maps_in(tmp_path / "root")) == ["one"]
+    assert pages(tmp_path / "root" / "one" / REPLAYS) == {}
 
 
 def test_a_point_is_run_in_the_studio(browser: Any, server: Server) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from swerve.cli import main
+from swerve.scenario import FAMILIES, library_names
 from tests.studio.servers import Server
 
 SIZES = {"1280": {"width": 1280, "height": 800}, "390": {"width": 390, "height": 844}}
@@ -56,9 +57,13 @@ def _says(page: Any, where: str, words: str | re.Pattern[str]) -> None:
     expect(page.locator(where)).to_contain_text(words, timeout=30_000)
 
 
-def test_a_scene_is_moved_run_watched_and_saved(opened: Open, tmp_path: Path, capsys: Any) -> None:
+@pytest.mark.parametrize(("name", "size"), [("paper", "1280"), ("ccrs-50-il75", "390")])
+def test_a_scene_is_moved_run_watched_and_saved(
+    opened: Open, tmp_path: Path, capsys: Any, name: str, size: str
+) -> None:
     """What is run in the studio and what its TOML gives on the command line have the same numbers."""
-    page = _ready(opened("/studio"))
+    page = _ready(opened("/studio", viewport=SIZES[size]))
+    page.locator("#scenario").select_option(name)
     page.locator("#number-distance").fill("28.5")
     page.locator("#number-speed").fill("80")
     page.locator("#number-friction").fill("0.7")
@@ -66,12 +71,12 @@ def test_a_scene_is_moved_run_watched_and_saved(opened: Open, tmp_path: Path, ca
     page.locator("#run").click()
     _says(page, "#status", "Done")
     frame = page.frame_locator("#frame")
-    assert frame.locator("h1").text_content() == "paper-moved"
+    assert frame.locator("h1").text_content() == f"{name}-moved"
     _says(frame, "#play", "Pause")
     shown = frame.locator("data[data-key]").evaluate_all("all => all.map(x => [x.dataset.key, x.value])")
     with page.expect_download() as download:
         page.locator("#save").click()
-    assert download.value.suggested_filename == "paper-moved.toml"
+    assert download.value.suggested_filename == f"{name}-moved.toml"
     download.value.save_as(tmp_path / "scene.toml")
     assert main(["run", str(tmp_path / "scene.toml"), "--plant", "planar", "--json"]) == 0
     expected = json.loads(capsys.readouterr().out)
@@ -110,6 +115,23 @@ def test_the_keyboard_is_enough(opened: Open) -> None:
     page.locator("#plant").select_option("planar")
     page.locator("#number-speed").press("Enter")
     _says(page, "#status", "Done")
+
+
+def test_a_family_s_member_is_picked_with_the_keyboard(opened: Open) -> None:
+    """What is typed on the closed list leads to a member, the arrows to the next, and the form begins where it does."""
+    page = _ready(opened("/studio", viewport=SIZES["390"]))
+    assert page.locator("#scenario optgroup").evaluate_all("all => all.map(x => [x.label, x.children.length])") == [
+        ["Library", len(library_names())],
+        *([f"{family.pattern}: {family.title}", len(family.members)] for family in FAMILIES),
+    ]
+    page.locator("#scenario").focus()
+    page.keyboard.type("ccrm-9")
+    _has(page, "#toml", re.compile(r'^name = "ccrm-90-il0"'))
+    page.keyboard.press("ArrowDown")
+    _has(page, "#toml", re.compile(r'^name = "ccrm-90-il25"'))
+    _says(page, "#description", "90 km/h towards a car at 30 km/h, impact location 25 %")
+    _has(page, "#number-speed", "90")
+    assert page.evaluate("document.documentElement.scrollWidth") == 390
 
 
 def test_what_is_wrong_is_told(opened: Open) -> None:

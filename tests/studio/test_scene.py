@@ -1,4 +1,4 @@
-"""Scenes: a scenario of the library moved by hand, as the TOML that makes the same run anywhere."""
+"""Scenes: a scenario that has a name, moved by hand, as the TOML that makes the same run anywhere."""
 
 from pathlib import Path
 
@@ -8,17 +8,27 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from swerve.errors import InputError
-from swerve.scenario import Scenario, library_names, load, parse
+from swerve.scenario import FAMILIES, Scenario, library_names, load, parse
 from swerve.studio import scene
-from swerve.studio.scene import MOST_OBSTACLES, MOST_ROWS, Moved, first_place, library, moved_toml, read_scene, start_of
+from swerve.studio.scene import (
+    MOST_OBSTACLES,
+    MOST_ROWS,
+    Moved,
+    first_place,
+    moved_toml,
+    read_scene,
+    scenarios,
+    start_of,
+)
 from tests.report.runs import MOST_SHOWN, ONCOMING
 
 PAPER = load("paper").to_toml()
+MEMBERS = [name for family in FAMILIES for name in family.members]
 
 
-@pytest.mark.parametrize("name", library_names())
-def test_what_is_not_moved_is_the_library_s(name: str) -> None:
-    """The TOML of a scenario of which nothing is moved loads as that scenario."""
+@pytest.mark.parametrize("name", [*library_names(), *MEMBERS])
+def test_what_is_not_moved_is_the_scenario(name: str) -> None:
+    """The TOML of a scenario of the library or of a family, of which nothing is moved, loads as that scenario."""
     assert parse(moved_toml(Moved(scenario=name)).encode(), "scene") == load(name)
 
 
@@ -33,6 +43,18 @@ def test_what_is_moved_arrives() -> None:
     assert found.model_dump(exclude={"name", "description"}) == expected.model_dump(exclude={"name", "description"})
     assert found.name == "paper-moved"
     assert found.description == "paper with speed 90 km/h, obstacle at X = 31.5, friction 40 %, at Y = -50 cm"
+
+
+def test_a_member_of_a_family_can_be_moved() -> None:
+    """What is moved arrives; what the family has set, as when and how its target brakes, stays."""
+    found = read_scene(moved_toml(Moved(scenario="ccrb-50-il25", speed="60 km/h", distance="20 m", friction=0.4)))
+    base = load("ccrb-50-il25")
+    speed, y = 60 / 3.6, base.obstacles[0].to_world().position_at(np.zeros(1))[0, 1]
+    changes = [f"ego.speed={speed!r}", f"goal.speed={speed!r}", "road.friction=0.4"]
+    expected = load("ccrb-50-il25", [*changes, f"obstacles.0.position=[20, {float(y)!r}]"])
+    assert found.model_dump(exclude={"name", "description"}) == expected.model_dump(exclude={"name", "description"})
+    assert found.name == "ccrb-50-il25-moved"
+    assert found.obstacles[0].accelerates_at == base.obstacles[0].accelerates_at
 
 
 def test_a_form_starts_where_the_scenario_is() -> None:
@@ -58,9 +80,9 @@ def test_obstacles_move_together(overrides: tuple[str, ...], x: float, y: float)
 
 def _moved(base: Scenario, x: float, y: float) -> Scenario:
     """The scenario as if it were one of the library."""
-    known = {**library(), "mine": base}
+    known = {**scenarios(), "mine": base}
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(scene, "library", lambda: known)
+        patch.setattr(scene, "scenarios", lambda: known)
         return read_scene(moved_toml(Moved(scenario="mine", distance=x, offset=y)))
 
 
@@ -69,6 +91,8 @@ def _moved(base: Scenario, x: float, y: float) -> Scenario:
     [
         ({"scenario": "papr"}, "papr: no such scenario; did you mean paper?"),
         ({"scenario": "../paper.toml"}, "no such scenario"),
+        ({"scenario": "ccrs-55-il75"}, "ccrs-55-il75: no such scenario; did you mean ccrs-[0-9]+-il75?"),
+        ({"scenario": "zzz"}, "zzz: no such scenario; write a name that `swerve scenarios` lists"),
         ({"scenario": "paper", "speed": "90 m"}, "scene: ego.speed: .*90 m"),
         ({"scenario": "paper", "friction": 7}, "scene: road.friction: 7.0 is out of range"),
         ({"scenario": "paper", "distance": "far"}, "scene: distance: 'far'"),

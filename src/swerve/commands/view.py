@@ -15,7 +15,7 @@ def add_command(commands: Any) -> None:
     """Add it to a parser's `commands`."""
     view = commands.add_parser("view", help="see finished runs and try scenes in a browser", allow_abbrev=False)
     view.set_defaults(call=_view)
-    view.add_argument("directory", type=Path, metavar="DIR", help="with the folders of finished runs, or one of them")
+    view.add_argument("directory", type=Path, metavar="DIR", help="with runs, comparisons and maps, or one of them")
     view.add_argument("--port", type=_port, default=8000, help="of this machine; 0 for any that is free [8000]")
 
 

@@ -3,7 +3,7 @@
 from pydantic import BaseModel, ConfigDict, Field
 
 from swerve.simulate import DEFAULT_CONTROLLER, DEFAULT_PLANT
-from swerve.studio.jobs import Job, State
+from swerve.studio.job import Job, State
 from swerve.studio.scene import LONGEST_TOML
 
 
@@ -29,19 +29,35 @@ class RunListed(BaseModel):
     fault: str | None
 
 
+class PageListed(BaseModel):
+    """A folder with pages, of a map or a comparison: its name, and when it was finished, in seconds since 1970."""
+
+    name: str
+    finished: float
+
+
 class ScenarioListed(BaseModel):
-    """A scenario of the library, with where what can be moved is, in SI."""
+    """A scenario of the library or member of a family, with where what can be moved is, in SI."""
 
     name: str
     description: str
     start: dict[str, float | None]
 
 
+class FamilyListed(BaseModel):
+    """A family of scenarios: the form of its members' names, what happens in them, and which there are."""
+
+    pattern: str
+    title: str
+    members: list[str]
+
+
 class Choices(BaseModel):
-    """What there is to choose from."""
+    """What there is to choose from; `scenarios` are those of the library, then the members of all families."""
 
     version: str
     scenarios: list[ScenarioListed]
+    families: list[FamilyListed]
     controllers: list[str]
     plants: list[str]
 

@@ -4,12 +4,13 @@ import shutil
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from queue import SimpleQueue
-from typing import Final, Literal
+from typing import Final
 
 from swerve.errors import SwerveError
+from swerve.studio.job import Job
 from swerve.studio.runs import Runs
 from swerve.studio.worker import Order, RunFailed, Worker
 
@@ -18,37 +19,9 @@ MOST_WAITING: Final = 8  # runs
 TIME_LIMIT: Final = 60.0  # of a run [s]
 MOST_KEPT: Final = 200  # jobs that are over and can still be asked about
 
-State = Literal["waiting", "running", "done", "failed", "cancelled"]
-
 
 class QueueFull(Exception):
     """There is no room for another run; the text says so."""
-
-
-@dataclass(frozen=True)
-class Job:
-    """A run that was ordered.
-
-    Attributes:
-        number: by which it is asked about.
-        order: what is wanted.
-        state: how far it is.
-        share: that is done [1].
-        message: why it failed; "" where it has not.
-        run: name of its folder once it is done, else None.
-    """
-
-    number: int
-    order: Order
-    state: State = "waiting"
-    share: float = 0.0
-    message: str = ""
-    run: str | None = None
-
-    @property
-    def is_over(self) -> bool:
-        """Whether nothing more comes of it."""
-        return self.state in ("done", "failed", "cancelled")
 
 
 class Jobs:

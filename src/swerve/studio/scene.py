@@ -1,4 +1,4 @@
-"""A scene of the studio: a scenario of the library, moved by hand, as the TOML file that makes the same run anywhere.
+"""A scene of the studio: a scenario that has a name, moved by hand, as the TOML file that makes the same run anywhere.
 
 What is run is that file and nothing else, so that saving it saves the run.
 """
@@ -11,7 +11,7 @@ import tomli_w
 from pydantic import BaseModel, ConfigDict, Field
 
 from swerve.errors import InputError, nearest, one_line
-from swerve.scenario import Scenario, library_names, load, parse
+from swerve.scenario import FAMILIES, Scenario, library_names, load, parse
 from swerve.scenario.document import tables_of
 from swerve.units import to_si
 from swerve.vehicle.tyres import TYRES
@@ -36,7 +36,7 @@ class Moved(BaseModel):
     """What is moved of a scenario; what is null stays.
 
     Attributes:
-        scenario: its name in the library.
+        scenario: its name in the library, or that of a family's member.
         speed: of the ego vehicle at the start, which is to hold it.
         distance: X of the first obstacle; the others keep their places from it.
         friction: of the road.
@@ -55,9 +55,9 @@ class Moved(BaseModel):
 
 
 @cache
-def library() -> dict[str, Scenario]:
-    """Every scenario of the library by its name."""
-    return {name: load(name) for name in library_names()}
+def scenarios() -> dict[str, Scenario]:
+    """Every scenario of the library, then every member of a family, by its name."""
+    return {name: load(name) for name in (*library_names(), *(each for family in FAMILIES for each in family.members))}
 
 
 def start_of(scenario: Scenario) -> dict[str, float | None]:
@@ -81,11 +81,11 @@ def moved_toml(moved: Moved) -> str:
     Raises:
         InputError: there is no such scenario, or a value cannot be.
     """
-    if moved.scenario not in library():
-        guess = nearest(moved.scenario, library())
-        advice = f"did you mean {guess}?" if guess else f"write one of {', '.join(library())}"
+    if moved.scenario not in scenarios():
+        guess = nearest(moved.scenario, scenarios())
+        advice = f"did you mean {guess}?" if guess else "write a name that `swerve scenarios` lists"
         raise InputError(f"{one_line(moved.scenario)}: no such scenario; {advice}")
-    base = library()[moved.scenario]
+    base = scenarios()[moved.scenario]
     tables = tomllib.loads(base.to_toml())
     changes = moved.model_dump(exclude={"scenario"}, exclude_none=True)
     if changes:

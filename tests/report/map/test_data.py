@@ -98,10 +98,11 @@ def test_limits_are_found_again_by_their_means() -> None:
     assert limit_command(SOURCE, ["limit: point-mass"], Condition(20.0, 0.5, 0.0)).endswith("--means braking")
 
 
-def test_the_studio_has_the_same_scene() -> None:
+@pytest.mark.parametrize("source", [SOURCE, Source("ccrm-60-il25")])
+def test_the_studio_has_the_same_scene(source: Source) -> None:
     """What a point's link says makes in the studio the scene of the map, but for its name and description."""
     condition = Condition(23.7, 0.45, 0.3)
-    link = studio_link(made(), SOURCE, "unified", condition, 31.4159)
+    link = studio_link(made(), source, "unified", condition, 31.4159)
     assert link is not None
     wanted = dict(parse_qsl(urlsplit(link).query))
     assert {key: wanted.pop(key) for key in ("controller", "plant", "seed")} == {
@@ -111,7 +112,7 @@ def test_the_studio_has_the_same_scene() -> None:
     }
     name = wanted.pop("scenario")
     scene = read_scene(moved_toml(Moved(scenario=name, **{key: float(value) for key, value in wanted.items()})))
-    there = Cell.of(SOURCE.base, condition).at(31.4159)
+    there = Cell.of(source.base, condition).at(31.4159)
     assert scene.model_copy(update={"name": there.name, "description": there.description}) == there
 
 

@@ -7,7 +7,7 @@ from functools import cache, cached_property
 from typing import Final
 from urllib.parse import urlencode
 
-from swerve.scenario import Scenario, library_names, load
+from swerve.scenario import FAMILIES, Scenario, library_names, load
 from swerve.study.map.boundary import LIMIT, Condition, Map
 from swerve.study.map.cell import Cell
 
@@ -34,8 +34,9 @@ class Source:
 
     @property
     def is_known_to_studio(self) -> bool:
-        """Whether the studio can make its scenes by moving a scenario of the library."""
-        return self.scenario in library_names() and not self.overrides
+        """Whether the studio can make its scenes by moving a scenario of the library or of a family."""
+        has_name = self.scenario in library_names() or any(self.scenario in family.members for family in FAMILIES)
+        return has_name and not self.overrides
 
 
 def run_command(found: Map, source: Source, who: str, condition: Condition, distance: float) -> str:
@@ -53,7 +54,7 @@ def limit_command(source: Source, limits: Sequence[str], condition: Condition) -
 
 
 def studio_link(found: Map, source: Source, who: str, condition: Condition, distance: float) -> str | None:
-    """Where `swerve view` has the scene, to be run; None for what is no scenario of its library."""
+    """Where `swerve view` has the scene, to be run; None for what has no name there."""
     if not source.is_known_to_studio:
         return None
     there = _cell(source, condition).at(distance)

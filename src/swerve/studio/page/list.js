@@ -1,5 +1,5 @@
 "use strict";
-/* The list of finished runs: filtered by words and outcome, two of them compared; above it the maps. */
+/* The list of finished runs: filtered by words and outcome, two of them compared; above it comparisons and maps. */
 const List = (() => {
   const OUTCOMES = { avoided: "Avoided", collided: "Collided", left_road: "Left the road", spun: "Spun", diverged: "Diverged" };
   const chosen = new Set();
@@ -51,17 +51,18 @@ const List = (() => {
       : "No finished runs in this folder yet: swerve run --out writes one, the studio another.";
   }
 
-  function showMaps(maps) {
-    byId("maps").hidden = !maps.length;
-    for (const { name } of maps) {
-      const link = byId("maps").appendChild(element("a", name));
-      link.href = `/maps/${encodeURIComponent(name)}/map.html`;
+  function showLinks(id, found, page) {
+    byId(id).hidden = !found.length;
+    for (const { name } of found) {
+      const link = byId(id).appendChild(element("a", name));
+      link.href = `/${id}/${encodeURIComponent(name)}/${page}`;
     }
   }
 
   async function load() {
     try {
-      showMaps(await ask("/api/maps"));
+      showLinks("comparisons", await ask("/api/comparisons"), "report.html");
+      showLinks("maps", await ask("/api/maps"), "map.html");
       runs = await ask("/api/runs");
       const outcomes = [...new Set(runs.map(each => each.outcome).filter(Boolean))].sort();
       byId("outcome").append(...outcomes.map(each => new Option(OUTCOMES[each], each)));

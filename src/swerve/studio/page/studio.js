@@ -124,13 +124,25 @@ const Studio = (() => {
     URL.revokeObjectURL(link.href);
   }
 
+  const options = names => names.map(name => new Option(name, name));
+
+  /* The library, then each family with its members. */
+  function groups({ families }) {
+    const members = new Set(families.flatMap(each => each.members)), own = scenarios.map(each => each.name).filter(name => !members.has(name));
+    return [["Library", own], ...families.map(each => [`${each.pattern}: ${each.title}`, each.members])].map(([label, names]) => {
+      const group = element("optgroup");
+      group.label = label;
+      group.append(...options(names));
+      return group;
+    });
+  }
+
   async function begin() {
     const choices = await ask("/api/choices");
     scenarios = choices.scenarios;
     byId("sliders").append(...SLIDERS.map(slider));
-    for (const [id, names] of [["scenario", scenarios.map(each => each.name)], ["controller", choices.controllers], ["plant", choices.plants]]) {
-      byId(id).append(...names.map(name => new Option(name, name)));
-    }
+    byId("scenario").append(...groups(choices));
+    for (const [id, names] of [["controller", choices.controllers], ["plant", choices.plants]]) byId(id).append(...options(names));
     const wanted = new URLSearchParams(location.search);
     for (const [id, value] of [["scenario", "paper"], ["plant", "multibody"], ...wanted].filter(each => CHOSEN.includes(each[0]))) choose(id, value);
     byId("scenario").addEventListener("change", pick);
