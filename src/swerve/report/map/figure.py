@@ -80,7 +80,7 @@ def _draw_panel(axes: Axes, found: Map, panel: Panel) -> None:
     for name, dashes in CLOSED.items():
         axes.plot(closed["speeds"], closed[name], color=GREY, linestyle=dashes, linewidth=1.0, label=FORMULAS[name])
     for i, who in enumerate(found.limits):
-        line = {"color": BLACK, "linestyle": DASHES[i % len(DASHES)], "linewidth": 1.0, "marker": ".", "markersize": 3.0}
+        line = {"color": BLACK, "linestyle": DASHES[i % len(DASHES)], "linewidth": 1.0, "marker": ".", "markersize": 3}
         axes.plot(speeds, _distances(found, who, cells), label=who, **line)
     for i, who in enumerate(found.controllers):
         look = _look(i)
