@@ -208,7 +208,7 @@ def test_an_unreachable_scheduler_is_refused(tmp_path: Path, address: str) -> No
         (("--offsets", "nan"), "--offsets: "),
         (("--tolerance", "0"), "--tolerance: 0 is out of range"),
         (("--limit", "braking,none"), "--limit: unknown mean 'none'"),
-        (("--seed", "-1"), "--seed: -1 is no seed"),
+        (("--seed", "-1"), "argument --seed: '-1' is no seed"),
         (("--workers", "0"), "--workers: 0 is out of range"),
         (("--workers", "2", "--scheduler", "127.0.0.1:1"), "--workers: the workers are those of --scheduler"),
         (("--set", "obstacles=[]"), "obstacles: none is ahead"),
