@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from bench.stopwatch import Step, Stopwatch
 from swerve.control import Controller
-from swerve.control.nonlinear import NonlinearController, NonlinearProgram
+from swerve.control.nonlinear import NonlinearController
 from swerve.control.nonlinear.memory import Memory
 from swerve.scenario import Scenario
 from swerve.signals import Measurement
@@ -23,7 +23,7 @@ class Replay:
     """A controller on measurements of another's run.
 
     Attributes:
-        steps: part "solve" has two calls in each, left and right.
+        steps: part "solve" has two calls in each, left and right, with all first guesses that they need.
         n_unsolved: calls that ended without a solution.
     """
 
@@ -45,7 +45,7 @@ def nonlinear_controller(scenario: Scenario) -> Controller[Memory]:
 def replay(controller: Controller[Memory], measured: Sequence[tuple[Measurement, Array]]) -> Replay:
     """Each step from the last one's plans and the measurement and command of the record."""
     watch, memory, n_unsolved = Stopwatch(), controller.start(), 0
-    with watch.watching((NonlinearController, "step"), {"solve": [(NonlinearProgram, "solve")]}):
+    with watch.watching((NonlinearController, "step"), {"solve": [(NonlinearController, "_plan")]}):
         for measurement, command in measured:
             known = replace(memory, commands=(command, *memory.commands[1:]))
             _, plan, memory = controller.step(measurement, known)

@@ -38,7 +38,7 @@ class Fallback(Enum):
 
     NOT_FINITE = "the measurement has a number that is not finite"
     LATE = "the measurement is too old"
-    NO_SOLUTION = "no quadratic program of this step was solved"
+    NO_SOLUTION = "no program of this step was solved"
     DEADLINE = "the step's time was over before a plan was there"
 
 
@@ -81,7 +81,7 @@ class Plan:
         active: the limits that hold this plan, as in "obstacle 0", "slip" or "left edge".
         friction_use: (4,) share of each wheel's friction that the first input takes [1].
         fallback: None for a plan of this step, else why it is not.
-        solver_failures: quadratic programs of this step that had no answer.
+        solver_failures: programs of this step that had no answer.
     """
 
     time: float

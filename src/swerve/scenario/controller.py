@@ -13,6 +13,7 @@ from swerve.scenario.quantities import (
     Margin,
     SampleTime,
     Share,
+    Tail,
     Weight,
     choice,
 )
@@ -149,9 +150,11 @@ class NonlinearSettings(Settings):
     """Settings of the controller `nonlinear`; its penalties and limits are those of `unified`.
 
     Attributes:
+        tail: how far after the horizon it still has to keep clear, without a cost on where it goes [samples].
         solver: of the nonlinear program.
     """
 
+    tail: Tail = 20
     solver: Annotated[Literal["fatrop", "ipopt"], choice("solver", ("fatrop", "ipopt"))] = "fatrop"
 
 

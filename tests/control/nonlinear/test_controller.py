@@ -9,6 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from swerve.control import Controller, Fallback, Side
+from swerve.control.nonlinear import SOLVERS, NonlinearController, Question
 from swerve.control.nonlinear.memory import Memory
 from swerve.scenario import load, parse
 from swerve.simulate import Outcome, run
@@ -17,6 +18,7 @@ from swerve.world import Ellipse, Obstacle, Steady
 from tests.control.unified.situations import RUNNING, broken_measurements, seen
 
 AT = 'obstacles.0.position=["{} m", "0 m"]'
+SLIPPERY = ("ego.speed=25 m/s", "goal.speed=25 m/s", "road.friction=0.5")
 RECTANGLES = """
 name = "rectangles"
 duration = "2.5 s"
@@ -46,6 +48,43 @@ def test_it_avoids_what_can_be_avoided(distance: float) -> None:
     assert 1 <= result.min_distance_ratio <= 1.1
     assert (result.solver_failures, result.fallback_steps) == (0, 0)
     assert result.decision in ("steer-left", "brake+steer-left")  # of two sides that are alike the left one
+
+
+@pytest.mark.slow
+def test_an_obstacle_that_comes_into_sight_late_is_avoided() -> None:
+    """On a road so slippery that a swerve takes all of the horizon it drives round in time, every program solved."""
+    result = run(load("paper", [*SLIPPERY, "duration=2.5 s", AT.format(28.0)]), "nonlinear", "planar").result
+    assert result.outcome is Outcome.AVOIDED
+    assert (result.solver_failures, result.fallback_steps) == (0, 0)
+
+
+@pytest.mark.parametrize("distance", [40.0, 26.25, 25.0])
+def test_an_obstacle_at_the_end_of_the_horizon_is_planned_for(distance: float) -> None:
+    """An obstacle beyond the horizon's end, or just within it, is planned for: both sides are solved and keep clear."""
+    subject = controller(*SLIPPERY)
+    state = np.array([25.0, 0, 0, 0, 0, 0])
+    seen_there = seen(0.0, state, Obstacle(Ellipse((2.0, 2.0)), Steady((distance, 0.0))))
+    _, plan, _ = subject.step(seen_there, subject.start())
+    assert (plan.fallback, plan.solver_failures) == (None, 0)
+    assert [each.impact_speed for each in plan.branches] == [None, None]
+    assert np.hypot(plan.states[:, 4] - distance, plan.states[:, 5]).min() >= 2.0
+
+
+def test_what_is_not_solved_is_still_a_motion(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Stopped long before the solution, it says so, and commands a motion that costs less than going straight."""
+    monkeypatch.setitem(SOLVERS["fatrop"], "max_iter", 4)
+    subject = controller_named("nonlinear", load("paper"), "planar")
+    assert isinstance(subject, NonlinearController)
+    obstacle = Obstacle(Ellipse((2.0, 2.0)), Steady((17.0, 0.0)))
+    measured = seen(0.0, RUNNING, obstacle)
+    _, plan, _ = subject.step(measured, subject.start())
+    assert (plan.fallback, plan.solver_failures) == (Fallback.NO_SOLUTION, 2)
+    assert "quadratic" not in Fallback.NO_SOLUTION.value
+    rolled_out = subject.program.model.roll_out(plan.states[0], plan.inputs, measured.wheel_loads)
+    np.testing.assert_allclose(rolled_out.states, plan.states)
+    question = Question(plan.states[0], np.zeros(5), measured.wheel_loads, (obstacle,))
+    straight = subject.program.guess(question, np.zeros_like(plan.inputs))
+    assert min(each.cost for each in plan.branches) < 0.5 * straight.cost
 
 
 @pytest.mark.slow
@@ -108,6 +147,7 @@ def test_a_broken_measurement_is_a_fallback(value: float) -> None:
         np.testing.assert_array_equal(command.as_input(), plan.inputs[1], err_msg=name)
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.integers(0, 2**32 - 1))
 def test_junk_never_raises(seed: int) -> None:

@@ -43,7 +43,7 @@ Solved = Callable[[str, Side], tuple[NonlinearProgram, Answer]]
 def program(solver: str) -> NonlinearProgram:
     """The paper's program."""
     shared = {each.name: UNIFIED[each.name] for each in fields(NonlinearSettings) if each.name in UNIFIED}
-    settings = NonlinearSettings(**shared, solver=solver)
+    settings = NonlinearSettings(**shared, tail=0, solver=solver)
     weights = Weights(speed=1.0, lateral_speed=1.0, lateral_offset=10.0, steering_rate=1e2, force_rate=1e-6)
     goal, inputs = Goal(20.0, 0.0), EVERYTHING
     return NonlinearProgram(SEDAN, Point(), FRICTION, goal, HORIZON, weights, settings, [OBSTACLE.shape], inputs)
@@ -101,7 +101,11 @@ class TestSolution:
         """With its multipliers it meets the conditions of Karush, Kuhn and Tucker, gradients being CasADi's own."""
         asked, answer = solved(solver, side)
         x, p, f, g = whole(asked.layout, 1)
-        lagrangian = ca.gradient(f, x) + ca.jtimes(g, x, ca.DM(answer.row_multipliers), True) + answer.bound_multipliers
+        lagrangian = (
+            asked.cost_unit * ca.gradient(f, x)
+            + ca.jtimes(g, x, ca.DM(answer.row_multipliers), True)
+            + answer.bound_multipliers
+        )
         residual = np.array(ca.Function("residual", [x, p], [lagrangian])(answer.x, asked.parameters(QUESTION)))
         assert np.abs(residual).max() <= 1e-4 * np.abs(answer.row_multipliers).max()
         lower, upper = asked.bounds(QUESTION)
@@ -127,7 +131,7 @@ def test_both_solvers_and_both_sides_cost_the_same(solved: Solved) -> None:
 
 def whole(layout: Layout, n_pairs: int) -> tuple[ca.MX, ca.MX, ca.MX, ca.MX]:
     """Symbols x and p, and f and g of them, as CasADi can differentiate them."""
-    formulation = formulate(layout, 1, n_pairs)
+    formulation = formulate(layout, layout.n_samples, 1, n_pairs)
     x, p = formulation.x, ca.vertcat(*formulation.p)
     nlp = functions(formulation, stage(n_pairs), "ipopt")[0]
     return x, p, *nlp(x, p)
@@ -137,7 +141,7 @@ def whole(layout: Layout, n_pairs: int) -> tuple[ca.MX, ca.MX, ca.MX, ca.MX]:
 def test_derivatives_are_those_of_the_whole(solver: str, arrange: Callable[[Horizon, int], Layout]) -> None:
     """What is put together from samples is what CasADi finds by differentiating the whole program."""
     layout = arrange(Horizon(4, 2, 0.05), 2)
-    made = {each.name(): each for each in functions(formulate(layout, 1, 2), stage(2), solver)}
+    made = {each.name(): each for each in functions(formulate(layout, layout.n_samples, 1, 2), stage(2), solver)}
     x, p, f, g = whole(layout, 2)
     weight, weights = ca.MX.sym("weight"), ca.MX.sym("weights", g.numel())
     expected = [*ca.hessian(weight * f + ca.dot(weights, g), x), ca.jacobian(g, x), ca.gradient(f, x)]
@@ -156,6 +160,16 @@ def test_derivatives_are_those_of_the_whole(solver: str, arrange: Callable[[Hori
     assert_near(ca.triu(of_lagrangian[-1]), ca.triu(hessian))
     assert_near(made["nlp_jac_g"].call([at_x, at_p])[-1], jacobian)
     assert_near(made["nlp_grad_f"].call([at_x, at_p])[-1], gradient_f)
+
+
+def test_nothing_is_tracked_after_the_horizon() -> None:
+    """The cost depends on every state of the horizon and on none of the tail, in which the limits go on."""
+    layout = Layout.stages(Horizon(5, 4, 0.05), 2)
+    tracked, entire = formulate(layout, 3, 1, 1), formulate(layout, 5, 1, 1)
+    depends = np.array(ca.DM(ca.jacobian_sparsity(tracked.cost, tracked.x), 1)).ravel() > 0
+    assert depends[layout.states[:3][:, [0, 1, 5]]].all()
+    assert not depends[layout.states[3:]].any()
+    assert tracked.rows.shape == entire.rows.shape
 
 
 def assert_near(found: ca.DM, expected: ca.DM) -> None:

@@ -166,7 +166,7 @@ def test_the_verdict_is_a_sentence() -> None:
 def test_steps_of_the_fallback_say_why() -> None:
     """A step that the fallback answered has its sentence, and is a moment of the run."""
     (car,) = document([made(FAILING)])["cars"]
-    assert "no quadratic program of this step was solved" in car["steps"]["fallback"]
+    assert "no program of this step was solved" in car["steps"]["fallback"]
     assert "first fallback" in [each["words"] for each in car["moments"]]
 
 

@@ -1,13 +1,15 @@
 """Nonlinear model predictive control: left and right solved to convergence, the cheaper one taken.
 
 Cost (10), limits, horizons, weights and first guesses are those of `unified`; what differs is that each step's program
-is solved until it is solved, with exact second derivatives, in place of a few convex ones. When a side has no solution
-within the iteration limit its first guess stands in, which is a motion of the model, too; when both have none, or the
-measurement is no use, the plan says so by its `fallback`.
+is solved until it is solved, with exact second derivatives, in place of a few convex ones, and that it goes on beyond
+the horizon. A program has many local minima: one that is not clear is held against those of other first guesses. When a
+side has no solution within the iteration limit the cheapest motion of the model that was met on the way stands in; when
+both have none, or the measurement is no use, the plan says so by its `fallback`.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +38,7 @@ Array = NDArray[np.float64]
 
 CLEAR = 5e-3  # [m] a margin that is missed by less counts as kept
 EQUAL = 1e-4  # [1] difference of two costs, relative and absolute, that is the solver's tolerance
+TRIES = 3  # first guesses of a side from which it is solved at most
 ACTIVE = 1e-2  # [1/m] a multiplier beyond this holds the plan off an obstacle
 
 
@@ -61,11 +64,11 @@ class NonlinearController(Controller[Memory]):
         Of the road's edges its plans tell, but it does not watch them.
         """
         self._vehicle, self._friction, self._settings = vehicle, friction, settings
-        self._horizon, self._latency = horizon, latency
-        limits = weights, settings, shapes, actuation
+        self._latency, limits = latency, (weights, settings, shapes, actuation)
         self.program = NonlinearProgram(vehicle, footprint, friction, goal, horizon, *limits)
-        self._appraisal = Appraisal(footprint, road, settings.clearance_margin, horizon)
-        self._braking = full_braking(vehicle, friction, horizon.prediction, actuation)
+        self._horizon, self._n_tracked = self.program.horizon, horizon.prediction
+        self._appraisal = Appraisal(footprint, road, settings.clearance_margin, self._horizon)
+        self._braking = full_braking(vehicle, friction, self._horizon.prediction, actuation)
 
     def start(self) -> Memory:
         """Wheels straight, no force, no plan."""
@@ -123,28 +126,39 @@ class NonlinearController(Controller[Memory]):
         return Command.from_input(command), plan, Memory(memory.after(command), inputs, committed, plan, 0)
 
     def _plan(self, side: Side, question: Question, memory: Memory) -> "_SidePlan":
-        """The plan of one side: what the solver found, or what it started from."""
-        guess = self._guess(side, question, memory)
+        """The plan of one side: the first solution that is clear, else the best that was found."""
+        found = []
+        for guess in islice(self._guesses(side, question, memory), TRIES):
+            found.append(self._plan_from(guess, side, question))
+            if found[-1].is_solved and found[-1].is_clear:
+                break
+        return min(found, key=lambda each: (not each.is_clear, each.cost))
+
+    def _plan_from(self, guess: Guess, side: Side, question: Question) -> "_SidePlan":
+        """What the solver finds from a guess; where it finds nothing, the cheaper of the guess and what it came to."""
         if not guess.is_sane:
             return _SidePlan(side, guess.inputs, guess.states, np.inf, np.inf, True, False)
         answer = self.program.solve(question, guess)
         if not answer.is_solved:
-            violation = guess.missed_clearance
-            return _SidePlan(side, guess.inputs, guess.states, guess.cost, violation, violation > CLEAR, False)
+            ended = self.program.guess(question, answer.inputs)
+            cheaper = ended if ended.is_sane and ended.cost < guess.cost else guess
+            missed = cheaper.missed_clearance
+            return _SidePlan(side, cheaper.inputs, cheaper.states, cheaper.cost, missed, missed > CLEAR, False)
         is_held = bool((np.abs(self.program.gap_multipliers(answer)) > ACTIVE).any())
         missed = answer.missed_clearance
         return _SidePlan(side, answer.inputs, answer.states, answer.cost, missed, is_held or missed > CLEAR, True)
 
-    def _guess(self, side: Side, question: Question, memory: Memory) -> Guess:
-        """The last plan of a side one sample later; where that is not clear, the cheapest of it and first guesses."""
+    def _guesses(self, side: Side, question: Question, memory: Memory) -> Iterator[Guess]:
+        """The last plan of a side one sample later, if that is clear; else it and the first guesses, cheapest first."""
         guess = self.program.guess(question, shifted(memory.inputs[side]))
         if guess.missed_clearance <= CLEAR:
-            return guess
+            yield guess
         speed, limit = float(question.state[VX]), self._settings.slip_limit
         way, largest = Way((Passing(side.value),), (0,)), self.program.largest(question)
-        pulses = seeds(self._vehicle, self._friction, limit, speed, way, largest, self._horizon.prediction)
-        guesses = (guess, *(self.program.guess(question, each) for each in pulses))
-        return min(guesses, key=lambda each: each.cost if np.isfinite(each.cost) else np.inf)
+        pulses = seeds(self._vehicle, self._friction, limit, speed, way, largest, self._n_tracked)
+        rolling = np.zeros((self._settings.tail, N_INPUTS))
+        others = (guess, *(self.program.guess(question, np.vstack([each, rolling])) for each in pulses))
+        yield from sorted(others, key=lambda each: each.cost if np.isfinite(each.cost) else np.inf)
 
     def _fall_back(
         self, time: float, reason: Fallback, memory: Memory, n_failed: int = 0
@@ -171,6 +185,11 @@ class _SidePlan:
     is_solved: bool
 
     @property
+    def is_clear(self) -> bool:
+        """Whether it keeps all margins."""
+        return self.violation <= CLEAR
+
+    @property
     def name(self) -> str:
         """The side in a word."""
         return self.side.name.lower()
@@ -179,8 +198,8 @@ class _SidePlan:
 def _choose(plans: Mapping[Side, _SidePlan], committed: Side | None, commitment: float) -> tuple[_SidePlan, str]:
     """Clear before not clear, then cheaper, left when equal; a side once taken is kept while it is as good as this."""
     left, right = plans[Side.LEFT], plans[Side.RIGHT]
-    if (left.violation <= CLEAR) != (right.violation <= CLEAR):
-        return left if left.violation <= CLEAR else right, "the only side that is clear"
+    if left.is_clear != right.is_clear:
+        return left if left.is_clear else right, "the only side that is clear"
     if committed is None:
         return left if left.cost <= right.cost * (1 + EQUAL) + EQUAL else right, "the cheaper side"
     here, there = plans[committed], plans[Side(-committed.value)]

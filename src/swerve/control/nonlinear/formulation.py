@@ -1,14 +1,15 @@
 """The full nonlinear program of the unified controller's problem, by multiple shooting.
 
 minimise    sum_i |eta(k+i) - eta_ref|_Q^2 + sum_j |du(k+j)|_R^2 + w sum |Fx|^2 + sum_l (p_l s_l + q_l s_l^2)    (10)
-over        inputs of Nc samples, states after each of Np samples, a slack s_l >= 0 for each soft limit
-subject to  x_k+1 = F(x_k, u_k), the last free input held from Nc on                                              (1)
+over        inputs of Nc + M samples, states after each of Np + M samples, a slack s_l >= 0 for each soft limit
+subject to  x_k+1 = F(x_k, u_k), the last free input held from there on                                            (1)
             gaps of obstacle l at every half sample >= margin_l - s_l                                            (15)
             |alpha_front(x_k, u_k)|, |alpha_rear(x_k+1)| <= limit + s_slip;  bounds on the inputs                (14)
             |delta_k - delta_k-1| <= turn
 
 It needs no trust region, no limit that knows the lateral demand and no side: the friction ellipse and the obstacles are
-in it as they are. It ends with the horizon: the path beyond it, which the unified controller looks at, is left out.
+in it as they are. In M samples after the horizon no state is tracked, but all limits hold, so that a plan has to be
+able to go on: without them it stops short of an obstacle at the horizon's end, from where there is no way past it.
 On which side of an obstacle a solution passes depends on the guess that the solver starts from.
 """
 
@@ -96,8 +97,8 @@ class Formulation:
     n_rows: int
 
 
-def formulate(layout: Layout, n_obstacles: int, n_pairs: int) -> Formulation:
-    """The program for a layout, a number of obstacles and a number of pairs for each of them."""
+def formulate(layout: Layout, n_tracked: int, n_obstacles: int, n_pairs: int) -> Formulation:
+    """The program for a layout, Np, a number of obstacles and a number of pairs for each of them."""
     x, p = ca.MX.sym("x", layout.n), Parameters.symbolic(n_obstacles, n_pairs)
     states: list[ca.MX] = [p.state, *_parts(x, layout.states)]
     previous: list[ca.MX] = [p.command, *_parts(x, layout.previous)]
@@ -107,7 +108,7 @@ def formulate(layout: Layout, n_obstacles: int, n_pairs: int) -> Formulation:
     c = ca.MX.sym("c", N_STATES + n_gaps + N_SLIPS, layout.n_samples)
 
     cost = ca.dot(p.linear, slacks[-1]) + ca.dot(p.quadratic, slacks[-1] ** 2)
-    for state in states[1:]:
+    for state in states[1 : n_tracked + 1]:
         cost += ca.dot(p.tracking, (ca.vertcat(state[VX], state[VY], state[Y]) - p.goal) ** 2)
     for u, before in zip(free, previous, strict=False):
         cost += ca.dot(p.rates, (u - before) ** 2) + p.force * ca.sumsqr(u[FORCES])

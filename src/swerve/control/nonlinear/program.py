@@ -1,7 +1,6 @@
 """The nonlinear program of one vehicle, compiled and bound to a solver: a question and a guess in, an answer out."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -9,14 +8,12 @@ from numpy.typing import NDArray
 
 from swerve.control.actuation import Actuation
 from swerve.control.nonlinear.buffered import Buffered
+from swerve.control.nonlinear.compiled import compiled
 from swerve.control.nonlinear.cover import n_parts, pairs
-from swerve.control.nonlinear.formulation import N_TURNS, Parameters, formulate
-from swerve.control.nonlinear.functions import functions
-from swerve.control.nonlinear.layout import Layout
-from swerve.control.nonlinear.library import library
+from swerve.control.nonlinear.formulation import N_TURNS, Parameters
 from swerve.control.nonlinear.settings import NonlinearSettings
 from swerve.control.nonlinear.solver import Solver
-from swerve.control.nonlinear.stage import INPUT_SCALE, N_PAIR, N_SLIPS, stage
+from swerve.control.nonlinear.stage import INPUT_SCALE, N_PAIR, N_SLIPS
 from swerve.control.nonlinear.values import Answer, Guess, Question
 from swerve.control.settings import Goal, Horizon, Weights
 from swerve.control.unified.prediction import SLIP_SPEED_FLOOR, PredictionModel
@@ -28,6 +25,7 @@ from swerve.world import Footprint, Shape
 Array = NDArray[np.float64]
 
 INTERIOR = 1e-2  # [m, rad] added to the slacks of a guess, so that an interior-point method starts inside
+LARGEST_PRICE = 100.0  # [1] of a unit of a slack, as IPOPT scales; Fatrop stalls where multipliers reach 1e4
 LEAST_LOAD = 1.0  # [N] so that a lower bound stays below the upper one
 UNLIMITED = 1e6  # [1] a turn in units of INPUT_SCALE that is none
 NOWHERE = (0.0, 0.0, 0.0, 1e3, 0.0, 0.0, 100.0, 100.0, 0.0)  # a pair beside the ego vehicle that is never near
@@ -37,7 +35,15 @@ SEMI_AXES = slice(6, 8)
 
 
 class NonlinearProgram:
-    """The program for one vehicle and footprint on a road of known friction, a number of obstacles, and one solver."""
+    """The program for one vehicle and footprint on a road of known friction, a number of obstacles, and one solver.
+
+    Attributes:
+        horizon: all samples of the program, the tail included.
+        cost_unit: in which the solver sees costs [1].
+        layout: of the variables.
+        formulation: as expressions.
+        model: eq. (1) over these samples.
+    """
 
     def __init__(
         self,
@@ -58,7 +64,7 @@ class NonlinearProgram:
             footprint: what keeps clear.
             friction: mu [1].
             goal: where the cost pulls.
-            horizon: Np, Nc, Ts.
+            horizon: Np, Nc, Ts; the program goes on for the settings' tail, and so do its plans.
             weights: of (10).
             settings: penalties, limits and the solver's name.
             shapes: of the obstacles that there may be; of more obstacles the program keeps clear of the nearest.
@@ -69,17 +75,19 @@ class NonlinearProgram:
         """
         solver, self._n_obstacles = settings.solver, len(shapes)
         self._n_pairs = n_parts(footprint) * max((n_parts(shape) for shape in shapes), default=1)
-        arrange = Layout.stages if solver == "fatrop" else Layout.shared
-        self.layout = arrange(horizon, self._n_obstacles + 1)
-        self.formulation = formulate(self.layout, self._n_obstacles, self._n_pairs)
-        sample = stage(self._n_obstacles * self._n_pairs)
-        compiled = library(f"nonlinear_program_{solver}", functions(self.formulation, sample, solver))
-        self._evaluate = Buffered(ca.external("nlp", str(compiled)))
-        self._solver = Solver(solver, compiled, self.layout, self.formulation.n_rows)
-        self.model = PredictionModel(vehicle, friction, horizon)
+        self.horizon = _longer(horizon, settings.tail)
+        made = compiled(solver, self.horizon, horizon.prediction, self._n_obstacles, self._n_pairs)
+        self.layout, self.formulation = made.layout, made.formulation
+        self._evaluate = Buffered(ca.external("nlp", str(made.library)))
+        self._solver = Solver(solver, made.library, self.layout, self.formulation.n_rows)
+        self.model = PredictionModel(vehicle, friction, self.horizon)
         self._vehicle, self._footprint, self._friction, self._actuation = vehicle, footprint, friction, actuation
         turn = min(vehicle.steering_rate_limit * horizon.sample_time / INPUT_SCALE[DELTA], UNLIMITED)
-        self._constants = {"turn": turn} | _constants(goal, weights, settings, self._n_obstacles)
+        aim = (goal.speed, 0.0, goal.lateral_offset)
+        self._constants = {"goal": aim, "slip_limit": settings.slip_limit, "turn": turn}
+        costs = _costs(weights, settings, self._n_obstacles)
+        self.cost_unit = max(1.0, float(costs["linear"].max()) / LARGEST_PRICE)
+        self._costs = {name: cost / self.cost_unit for name, cost in costs.items()}
         self._margin, self._sample_time = settings.clearance_margin, horizon.sample_time
         self._data = np.append(ModelParameters.of(vehicle, friction, SLIP_SPEED_FLOOR).as_array(), horizon.sample_time)
 
@@ -96,7 +104,7 @@ class NonlinearProgram:
         missed = np.maximum(0.0, -self._by_sample(self._evaluate(x=x, p=p)["g"])[:, :-N_TURNS].min(axis=0))
         violations = np.maximum.reduceat(missed, 2 * self._n_pairs * np.arange(self.layout.n_slacks))
         x[self.layout.slacks] = violations
-        return Guess(inputs, states, x, violations, cost=float(self._evaluate(x=x, p=p)["f"][0]))
+        return Guess(inputs, states, x, violations, cost=self.cost_unit * float(self._evaluate(x=x, p=p)["f"][0]))
 
     def solve(self, question: Question, guess: Guess) -> Answer:
         """The local minimum that the solver finds from a guess."""
@@ -116,13 +124,13 @@ class NonlinearProgram:
             inputs=x[self.layout.previous] * INPUT_SCALE,
             states=np.vstack([question.state, x[self.layout.states]]),
             violations=x[self.layout.slacks[-1]],
-            cost=float(out["f"][0]),
+            cost=self.cost_unit * float(out["f"][0]),
             is_solved=is_solved,
             iterations=iterations,
             x=x,
             rows=out["g"],
-            bound_multipliers=out["lam_x"],
-            row_multipliers=out["lam_g"],
+            bound_multipliers=self.cost_unit * out["lam_x"],
+            row_multipliers=self.cost_unit * out["lam_g"],
         )
 
     def bounds(self, question: Question) -> tuple[Array, Array]:
@@ -133,7 +141,7 @@ class NonlinearProgram:
         return lower, upper
 
     def parameters(self, question: Question) -> Array:
-        """The vector p of all parameters."""
+        """The vector p of all parameters, the costs in units of `cost_unit`."""
         seen = self._pairs(question)
         data = np.concatenate([question.wheel_loads, self._data, seen.ravel()])
         values = Parameters(
@@ -142,6 +150,7 @@ class NonlinearProgram:
             data=data,
             margins=self._margin + self._sagitta(question.state, seen),
             **self._constants,
+            **self._costs,
         )
         return np.concatenate([np.atleast_1d(np.asarray(value, dtype=float)) for value in values])
 
@@ -193,17 +202,20 @@ class NonlinearProgram:
         return self._actuation.lower * largest, self._actuation.upper * largest
 
 
-def _constants(goal: Goal, weights: Weights, settings: NonlinearSettings, n_obstacles: int) -> dict[str, Any]:
-    """The parameters that stay the same from solve to solve."""
+def _longer(horizon: Horizon, tail: int) -> Horizon:
+    """The horizon and `tail` samples."""
+    return Horizon(horizon.prediction + tail, horizon.control + tail, horizon.sample_time)
+
+
+def _costs(weights: Weights, settings: NonlinearSettings, n_obstacles: int) -> dict[str, Array]:
+    """The parameters that are weights and penalties [1]."""
     rates = np.full(INPUT_SCALE.size, weights.force_rate)
     rates[DELTA] = weights.steering_rate
     of_obstacles = np.ones(n_obstacles)
     return {
-        "goal": (goal.speed, 0.0, goal.lateral_offset),
-        "tracking": (weights.speed, weights.lateral_speed, weights.lateral_offset),
+        "tracking": np.array([weights.speed, weights.lateral_speed, weights.lateral_offset]),
         "rates": rates * INPUT_SCALE**2,
-        "force": settings.force_weight * INPUT_SCALE[FORCES][0] ** 2,
-        "slip_limit": settings.slip_limit,
+        "force": np.array([settings.force_weight * INPUT_SCALE[FORCES][0] ** 2]),
         "linear": np.append(settings.clearance_penalty * of_obstacles, settings.slip_penalty),
         "quadratic": np.append(settings.clearance_penalty_quadratic * of_obstacles, settings.slip_penalty_quadratic),
     }

@@ -16,6 +16,7 @@ class NonlinearSettings:
         clearance_penalty_quadratic: per square metre of it [1/m^2].
         force_weight: on each wheel force [1/N^2].
         commitment: the other side is taken when it costs less than this share of the present one [1].
+        tail: samples after the horizon in which no state is tracked but all limits hold [1].
         solver: a name in `solver.SOLVERS`.
     """
 
@@ -27,4 +28,5 @@ class NonlinearSettings:
     clearance_penalty_quadratic: float
     force_weight: float
     commitment: float
+    tail: int
     solver: str

@@ -14,7 +14,7 @@ from swerve.conventions import N_INPUTS
 Array = NDArray[np.float64]
 
 TOLERANCE: Final = 1e-6  # of both; at 1e-8, by which Fatrop relaxes the bounds, it goes on to its iteration limit
-FIRST_BARRIER: Final = 1e-3  # their own is 0.1; the guess is near
+FIRST_BARRIER: Final = 1e-5  # their own is 0.1; the guess is near, and costs are in units of the program's
 ITERATION_LIMIT: Final = 300  # ten times what a program of a drive takes; its guess stands in beyond
 SOLVERS: Final[dict[str, dict[str, Any]]] = {
     "fatrop": {"tolerance": TOLERANCE, "mu_init": FIRST_BARRIER, "max_iter": ITERATION_LIMIT, "print_level": 0},
