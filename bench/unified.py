@@ -31,7 +31,7 @@ PARTS: Final[Mapping[str, Sequence[Target]]] = {
     "linearise": [(PredictionModel, "linearise")],
     "condense": [(situation, "condense")],
     "derive the tail": [(Tail, "sensitivities")],
-    "build the QP": [(Program, "convex")],
+    "build the QP": [(Program, "labelled")],
     "solve the QP": [(improve, "solve")],
     "accept": [(improve, "accept")],
 }

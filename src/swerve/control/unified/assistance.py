@@ -58,9 +58,11 @@ class Assistance:
     blocking: Blocking
     sample_time: float
 
-    def leads(self, measurement: Measurement) -> tuple[Lead, ...]:
-        """Who may lead, in order."""
-        return (Lead.NOBODY,) if measurement.driver is None else tuple(Lead)
+    def leads(self, measurement: Measurement) -> tuple[tuple[Lead, float], ...]:
+        """Who may lead, in order, each with a share of the time; what one leaves of it the next has."""
+        if measurement.driver is None:
+            return ((Lead.NOBODY, 1.0),)
+        return ((Lead.DRIVER, 0.5), (Lead.ASSISTANT, 0.5), (Lead.NOBODY, 0.0))
 
     def deviation(self, command: Array, measurement: Measurement) -> Array:
         """(5,) by which an input (5,) is not the driver's; zero without one, or where the measurement is not finite."""

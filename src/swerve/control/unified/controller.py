@@ -51,9 +51,9 @@ class UnifiedController(Controller[Memory]):
             return self._step(measurement, memory)
 
     def _step(self, measurement: Measurement, memory: Memory) -> Answer:
-        leads = self._formulation.assistance.leads(measurement)
-        allowed = self._formulation.settings.deadline * self._formulation.horizon.sample_time / len(leads)
-        deadline = Deadline(allowed, self._clock)
+        (first, share), *others = self._formulation.assistance.leads(measurement)
+        allowed = self._formulation.settings.deadline * self._formulation.horizon.sample_time
+        deadline = Deadline(allowed * share, self._clock)
         if measurement.is_finite:
             memory = replace(memory, wheel_loads=measurement.wheel_loads)
         reason = self._unusable(measurement)
@@ -62,11 +62,14 @@ class UnifiedController(Controller[Memory]):
         formulation = self._formulation
         memory = replace(memory, forecasts=forecasts(measurement.stamp, measurement.obstacles, memory.forecasts))
         scene = formulation.scene(measurement, memory)
-        planning, plans = _planned(Planning(formulation, scene, measurement, memory, deadline, leads[0]))
-        for lead in leads[1:]:
+        planning, plans = _planned(Planning(formulation, scene, measurement, memory, deadline, first))
+        for lead, share in others:
             if leaves_a_way(plans):
                 break
-            planning, plans = _planned(replace(planning, deadline=planning.deadline.again(allowed), lead=lead))
+            deadline = planning.deadline.again(allowed * share)
+            if deadline.is_over:
+                break
+            planning, plans = _planned(replace(planning, deadline=deadline, lead=lead))
         if any(plan.n_solved for plan in plans):
             return self._take(planning, plans, measurement, memory)
         reason = Fallback.NO_SOLUTION if any(plan.n_failed for plan in plans) else Fallback.DEADLINE
