@@ -54,7 +54,7 @@ N_COARSE = 16  # steps of the tail that are larger than a sample
 CALM = 0.25  # [1] share of the slip angle that a straight stop may take; changes of steering cost 1 / share^4 as much
 LANE_KEPT = 0.1  # [m] to each side by which a stop may leave its line
 LANE = Penalty(5e3, 2e4)  # [1/m, 1/m^2] of more than that
-GROWTH = 1.0  # [1/s] of the gap beside an obstacle, with foresight: what a prediction gets wrong grows so
+GROWTH = 1.0  # [1/s] of the gap beside an obstacle, with foresight, in a swerve: what a prediction gets wrong grows so
 TIMING = 0.15  # [s] by which an obstacle that crosses may come earlier or later: so much wider is the gap beside it
 PASSING = 2.5e3  # [1/m] of a gap that is missed beside an obstacle
 STOPPING = 2e3  # [1/m] of one that is missed behind it: more than a standing vehicle gains by creeping on
@@ -172,7 +172,8 @@ class Formulation:
         forecast, passing, margin = scene.forecasts[index], way.passing[index], self.place.margin
         crossing = TIMING * abs(float(forecast.velocity[1]))
         beside = replace(self._beside, comfort=self.settings.passing_gap + crossing)
-        penalty, growth = (self._behind, 0.0) if passing is Passing.BEHIND else (beside, GROWTH)
+        penalty = self._behind if passing is Passing.BEHIND else beside
+        growth = GROWTH if scene.threats and passing is not Passing.BEHIND else 0.0
         return ObstacleLimit(index, forecast, times, self._separation, passing, margin, penalty, growth)
 
     def _calmness(self, weights: Weights, share: float) -> "_Calmness":

@@ -31,8 +31,8 @@ class Trial:
         impact_obstacle: its index; None without contact.
         fallbacks: steps that were answered by a fallback.
         is_within_limits: whether every command was finite and within the vehicle's limits.
-        largest_steer: commanded [rad].
-        largest_force: of all wheels together, as a share of mu m g [1].
+        largest_steer: commanded; in a quiet scene by how much it differs from that on an empty road [rad].
+        largest_force: of all wheels together, likewise, as a share of mu m g [1].
         step_time: median of the controller's step [s].
         wall_time: of the run [s].
     """
@@ -72,9 +72,11 @@ class Trial:
 
 
 def try_scene(scene: Scenario, plant: str, certificate: Certificate | None) -> Trial:
-    """Run a scene and measure it."""
+    """Run a scene and measure it; what is done in a quiet one, without a certificate, beside an empty road."""
     done = run(scene, CONTROLLER, plant)
     result, inputs = done.result, done.log.steps.stack(*INPUTS)
+    if certificate is None:
+        inputs = inputs - run(_emptied(scene), CONTROLLER, plant).log.steps.stack(*INPUTS)
     grip = scene.road.friction * scene.ego.to_vehicle().mass * GRAVITY
     return Trial(
         scene=scene,
@@ -92,6 +94,10 @@ def try_scene(scene: Scenario, plant: str, certificate: Certificate | None) -> T
         step_time=result.step_time.median,
         wall_time=result.wall_time,
     )
+
+
+def _emptied(scene: Scenario) -> Scenario:
+    return scene.model_copy(update={"obstacles": ()})
 
 
 def kind_of(scene: Scenario, index: int) -> str:
