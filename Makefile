@@ -40,11 +40,13 @@ numbers: $(VENV)/.installed ## measure the tables and figures that the documenta
 	cp build/compare/comparison.md docs/measured/compare.md
 	cp build/compare/paper.png docs/measured/compare-paper.png
 
-maps: $(VENV)/.installed-dev ## make the maps that the documentation shows, for half an hour; they go on where they were stopped
+maps: $(VENV)/.installed-dev ## make the maps that the documentation shows, for an hour or more; they go on where they were stopped
+	for plant in planar multibody; do \
+		$(BIN)/swerve map paper --controllers unified --plant $$plant --out build/envelope-$$plant && \
+		cp build/envelope-$$plant/map.md docs/measured/envelope-$$plant.md || exit 1; \
+	done
 	$(BIN)/swerve map paper --plant planar --out build/map
 	cp build/map/map.md build/map/map.png docs/measured/
-	$(BIN)/swerve map paper --controllers unified --plant multibody --out build/envelope-multibody
-	cp build/envelope-multibody/map.md docs/measured/envelope-multibody.md
 
 library: $(VENV)/.installed ## write the documentation's page of the scenario library
 	$(BIN)/python docs/hooks/library.py > docs/library.md
