@@ -43,7 +43,8 @@ numbers: $(VENV)/.installed ## measure the tables and figures that the documenta
 maps: $(VENV)/.installed-dev ## make the maps that the documentation shows, for an hour or more; they go on where they were stopped
 	for plant in planar multibody; do \
 		$(BIN)/swerve map paper --controllers unified --plant $$plant --out build/envelope-$$plant && \
-		cp build/envelope-$$plant/map.md docs/measured/envelope-$$plant.md || exit 1; \
+		cp build/envelope-$$plant/map.md docs/measured/envelope-$$plant.md && \
+		cp build/envelope-$$plant/map.png docs/measured/envelope-$$plant.png || exit 1; \
 	done
 	$(BIN)/swerve map paper --plant planar --out build/map
 	cp build/map/map.md build/map/map.png docs/measured/
