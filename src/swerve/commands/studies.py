@@ -7,6 +7,7 @@ from concurrent.futures import Executor
 from pathlib import Path
 from typing import Any, Final
 
+from swerve.commands.options import add_seed
 from swerve.commands.pool import add_workers, check_workers, pool
 from swerve.commands.printing import print_paths
 from swerve.errors import InputError, unknown
@@ -22,7 +23,7 @@ def add_command(commands: Any) -> None:
     study = commands.add_parser("study", help="run many scenes, and write a table", allow_abbrev=False)
     study.set_defaults(call=_study)
     study.add_argument("name", metavar="NAME", help=f"one of {', '.join(STUDIES)}")
-    study.add_argument("--seed", type=int, default=0, help="of all that is random [0]")
+    add_seed(study)
     add_workers(study, "scenes")
     study.add_argument("--out", type=Path, default=Path("swerve-study"), metavar="DIR", help="where to [swerve-study]")
 
@@ -32,8 +33,6 @@ def _study(options: argparse.Namespace) -> int:
 
     if options.name not in STUDIES:
         raise InputError(unknown("study", options.name, STUDIES))
-    if options.seed < 0:
-        raise InputError(f"--seed: {options.seed} is no seed; write a whole number from 0")
     check_workers(options.workers)
     prepare_output(options.out)
     with Progress(sys.stderr) as progress, pool(options.workers) as executor:

@@ -6,13 +6,14 @@ from swerve.scenario import load
 from swerve.study.map.boundary import Condition
 from swerve.study.map.cell import Cell
 from swerve.study.map.task import Trial
+from tests.study.limits import LIMITS
 
-LIMITS = [(15.0, 1.0, 10.3), (20.0, 0.85, 14.9), (25.0, 0.3, 31.7)]  # [m/s], [1], [m] by `swerve limit --means both`
+CELLS = [(15.0, 1.0), (20.0, 0.85), (25.0, 0.3)]  # speed [m/s], friction [1]
 REQUIRED = {"planar": 1.04, "multibody": 1.15}  # of the limit, from which on it is to be avoided [1]
 
 
 @pytest.mark.parametrize("plant", REQUIRED)
-@pytest.mark.parametrize("speed, friction, limit", LIMITS)
+@pytest.mark.parametrize("speed, friction, limit", [each for each in LIMITS if each[:2] in CELLS])
 def test_the_disc_is_avoided_as_near_as_it_is_to(plant: str, speed: float, friction: float, limit: float) -> None:
     """At the ratio to the limit that is required on each plant."""
     cell = Cell.of(load("paper"), Condition(speed, friction, 0.0))

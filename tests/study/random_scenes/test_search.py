@@ -5,12 +5,12 @@ import pytest
 
 from swerve.conventions import GRAVITY, VX, VY, Y
 from swerve.scenario import load
-from swerve.study.limit import point_mass
 from swerve.study.map.boundary import Condition
 from swerve.study.map.cell import Cell
 from swerve.study.random_scenes import certificate, scene
 from swerve.study.random_scenes.family import BATCH, Manoeuvre, RollOut, family
 from swerve.vehicle import vehicle_named
+from tests.study.limits import LIMITS
 
 SEDAN = vehicle_named("d-class-sedan")
 NEVER = 1e3
@@ -60,16 +60,16 @@ def test_members_do_not_know_of_one_another() -> None:
     assert np.array_equal(roll_out(members[::-1], start, SEDAN, 0.6)[::-1], together)
 
 
-@pytest.mark.parametrize("friction", [0.3, 0.5, 0.85, 1.0])
-@pytest.mark.parametrize("speed", [15.0, 20.0, 25.0, 30.0, 35.0])
-def test_the_search_comes_near_the_physical_limit_and_never_below_it(speed: float, friction: float) -> None:
-    """With all of the friction a disc of 2 m is avoided from 1.25 times the distance on that not even a point mass can
-    do without, and never from less than that.
+@pytest.mark.parametrize("speed, friction, limit", LIMITS)
+def test_the_search_comes_near_the_physical_limit_and_never_below_it(
+    speed: float, friction: float, limit: float
+) -> None:
+    """With all of the friction a disc of 2 m is avoided from 1.15 times the limit of optimal control on, and never
+    from 0.95 times it.
     """
     cell = Cell.of(load("paper"), Condition(speed, friction, 0.0))
-    bound = point_mass.smallest_distance(cell.scene)
-    assert certificate(cell.at(1.25 * bound), spare=1.0)
-    assert not certificate(cell.at(0.99 * bound), spare=1.0)
+    assert certificate(cell.at(1.15 * limit), spare=1.0)
+    assert not certificate(cell.at(0.95 * limit), spare=1.0)
 
 
 def test_a_wall_across_the_road_needs_the_distance_to_brake() -> None:

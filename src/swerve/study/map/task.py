@@ -8,6 +8,7 @@ import json
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf
+from typing import Any
 
 import numpy as np
 
@@ -61,8 +62,8 @@ class Trial:
         )
         return {self.key: record}
 
-    def _record(self, outcome: str, **numbers: str | float | None) -> RunRecord:
-        return RunRecord(self.controller, self.cell.condition, self.distance, outcome, **numbers)  # type: ignore[arg-type]
+    def _record(self, outcome: str, **numbers: Any) -> RunRecord:
+        return RunRecord(self.controller, self.cell.condition, self.distance, outcome, **numbers)
 
 
 @dataclass(frozen=True, eq=False)
