@@ -72,7 +72,7 @@ def test_the_markdown_has_a_row_for_each_condition() -> None:
         assert row["unified / limit"] == "1.040"
         assert row["limit: both [m]"] == f"{allowed('limit: both', condition):.2f}"
     assert [row["hierarchical [m]"] for row in rows if row["hierarchical / limit"] == "\N{EN DASH}"] == ["\N{EN DASH}"]
-    assert "- `hierarchical`: median 1.180 times the limit, 1.18 to 1.18 times in 23 of 24 conditions" in lines
+    assert "- `hierarchical`: median 1.180 times the limit, 1.180 to 1.180 times in 23 of 24 conditions" in lines
 
 
 def test_without_limits_there_is_nothing_to_hold_against() -> None:

@@ -66,4 +66,4 @@ def reach(found: Map, who: str) -> str | None:
     values, n = ratios(found, who), len(found.conditions)
     if not values:
         return None
-    return f"{min(values):.2f} to {max(values):.2f} times in {len(values)} of {n} conditions"
+    return f"{min(values):.3f} to {max(values):.3f} times in {len(values)} of {n} conditions"
