@@ -11,7 +11,7 @@ from swerve.errors import InputError
 from swerve.plant import PlanarPlant, PlantState, Trace
 from swerve.scenario import Scenario, load
 from swerve.signals import Command
-from swerve.simulate import CONTROLLERS, DEFAULT_CONTROLLER, DEFAULT_PLANT, PLANTS, run
+from swerve.simulate import CONTROLLERS, DEFAULT_CONTROLLER, DEFAULT_PLANT, PLANTS, Outcome, first_contact, run
 from tests.simulate.recordings import COAST, FakeController
 
 SHORT = ("duration=0.52 s",)
@@ -200,3 +200,17 @@ def test_an_unknown_name_is_wrong_input(controller: str, plant: str, words: str)
     """A controller or plant that there is not is refused with the nearest right name."""
     with pytest.raises(InputError, match=f"did you mean {words}"):
         run(load("paper"), controller, plant)
+
+
+def test_a_run_can_end_with_its_first_contact(fake: list[FakeController]) -> None:
+    """It has all of the sample in which the coasting vehicle touches and nothing after; up to there it is the same."""
+    scenario = load("paper", ["duration=2.5 s"])
+    whole, ended = (run(scenario, "fake", "planar", until=each) for each in (None, first_contact(scenario)))
+    assert (ended.result.outcome, ended.result.impact_speed) == (whole.result.outcome, whole.result.impact_speed)
+    assert ended.result.outcome is Outcome.COLLIDED
+    n = len(ended.log.motion["X"]) - 1
+    assert n % scenario.n_substeps == 0
+    reached = ended.log.motion["X"][[n - scenario.n_substeps, n]]
+    edge = float(scenario.obstacles[0].to_world().position_at(0.0)[0]) - 2.0
+    assert reached[0] < edge <= reached[1]
+    np.testing.assert_array_equal(ended.log.motion["X"][:n], whole.log.motion["X"][:n])

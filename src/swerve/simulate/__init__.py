@@ -3,7 +3,7 @@
 from swerve.simulate.assemble import CONTROLLERS, DEFAULT_CONTROLLER, DEFAULT_PLANT, PLANTS
 from swerve.simulate.log import Log, Table
 from swerve.simulate.loop import Run, run
-from swerve.simulate.outcome import Outcome
+from swerve.simulate.outcome import Outcome, first_contact
 from swerve.simulate.result import Result
 
 __all__ = [
@@ -16,5 +16,6 @@ __all__ = [
     "Result",
     "Run",
     "Table",
+    "first_contact",
     "run",
 ]

@@ -21,6 +21,7 @@ from swerve.simulate.log import Log, motion_table, steps_table
 from swerve.simulate.result import Result, evaluate
 from swerve.world import Obstacle
 
+Until = Callable[[float, Trace], bool]  # start [s] and trace of a sample: whether the run is over
 Sense = Callable[[float, Past, Sequence[Obstacle], np.random.Generator], Measurement]
 
 
@@ -48,6 +49,7 @@ def run(
     seed: int = 0,
     progress: Callable[[float], None] | None = None,
     sense: Sense | None = None,
+    until: Until | None = None,
 ) -> Run:
     """Run a scenario to its end, or to the sample in which the motion stops being finite.
 
@@ -58,6 +60,7 @@ def run(
         seed: of all random numbers of the run.
         progress: called after each sample with the share that is done [1].
         sense: time, past truth, obstacles, random generator -> measurement; that of the scenario by default.
+        until: start and trace of each sample -> whether the run ends with it; never before its time by default.
 
     Raises:
         InputError: no such controller or plant.
@@ -65,7 +68,8 @@ def run(
     started = time.perf_counter()
     built = controller_named(controller, scenario, plant), plant_named(plant, scenario)
     sensing = sense or sensor_of(scenario).measure, np.random.default_rng(seed)
-    traces, commands, plans, step_times, drivers = _drive(scenario, *built, *sensing, progress or (lambda share: None))
+    watched = progress or (lambda share: None), until or (lambda start, trace: False)
+    traces, commands, plans, step_times, drivers = _drive(scenario, *built, *sensing, *watched)
     step, sample_time = scenario.plant.step, scenario.controller.sample_time
     n_rows = sum(len(trace.states) for trace in traces)
     log = Log(
@@ -85,6 +89,7 @@ def _drive(
     sense: Sense,
     generator: np.random.Generator,
     progress: Callable[[float], None],
+    until: Until,
 ) -> tuple[list[Trace], list[Command], list[Plan], list[float], list[DriverInput | None]]:
     """The loop: traces of the plant, and command, plan, time and driver's input of each controller step."""
     ego, sample_time = scenario.ego, scenario.controller.sample_time
@@ -111,7 +116,7 @@ def _drive(
         plans.append(plan)
         drivers.append(measurement.driver)
         progress((k + 1) / scenario.n_samples)
-        if not np.isfinite(state.vehicle).all():
+        if not np.isfinite(state.vehicle).all() or until(k * sample_time, trace):
             break
     _, last = plant.advance(state, failures.acting(commands[-1]))
     traces.append(_first_row(last))

@@ -1,11 +1,14 @@
 """How a run ended, decided by geometry and motion on the plant's time grid, never by what a controller believed."""
 
+from collections.abc import Callable
 from enum import Enum
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.conventions import VX, VY
+from swerve.conventions import POSE, VX, VY
+from swerve.plant import Trace
+from swerve.scenario import Scenario
 from swerve.world import Ellipse, Footprint, Obstacle, Road, clearance, distance_ratio
 
 Array = NDArray[np.float64]
@@ -48,6 +51,18 @@ def touches(obstacle: Obstacle, footprint: Footprint, poses: Array, times: Array
     """Whether the footprint is in contact with the obstacle, at each of the times (n,) [s]."""
     ratio = ratio_to(obstacle, footprint, poses, times)
     return clearance(footprint, poses, obstacle, times) <= 0 if ratio is None else ratio < 1
+
+
+def first_contact(scenario: Scenario) -> Callable[[float, Trace], bool]:
+    """Ends a run of the scenario with the sample in which the vehicle first touches an obstacle: `run`'s `until`."""
+    footprint, obstacles = scenario.ego.to_footprint(), [each.to_world() for each in scenario.obstacles]
+
+    def is_over(start: float, trace: Trace) -> bool:
+        times = start + scenario.plant.step * np.arange(float(len(trace.states)))
+        poses = trace.states[:, POSE]
+        return any(bool(touches(each, footprint, poses, times).any()) for each in obstacles)
+
+    return is_over
 
 
 def sideslip(states: Array) -> Array:

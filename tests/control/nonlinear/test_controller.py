@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from swerve.control import Controller, Fallback, Side
 from swerve.control.nonlinear import SOLVERS, NonlinearController, Question
 from swerve.control.nonlinear.memory import Memory
+from swerve.control.nonlinear.program import NonlinearProgram
 from swerve.scenario import load, parse
 from swerve.simulate import Outcome, run
 from swerve.simulate.assemble import controller_named
@@ -125,6 +126,32 @@ def test_a_mirrored_scene_is_driven_mirrored(offset: float) -> None:
         assert max(each.violation for each in plan.branches) < 0.025  # of a chord of half a sample, 0.5 m
     mirrored = plans[1].inputs[:, [0, 2, 1, 4, 3]] * [-1, 1, 1, 1, 1]
     np.testing.assert_allclose(plans[0].inputs, mirrored, atol=2.0, rtol=1e-3)
+
+
+def test_a_plan_is_named_after_its_path() -> None:
+    """While an obstacle comes into sight, left is where the plan passes on the left, wherever it was begun."""
+    scenario = load("paper", [*SLIPPERY, "duration=1 s", AT.format(58.7)])
+    plans = [each for each in run(scenario, "nonlinear", "planar").plans if each.side is not None]
+    assert len(plans) > 5
+    for plan in plans:
+        nearest = np.hypot(plan.states[:, 4] - 58.7, plan.states[:, 5]).argmin()
+        assert plan.side.value * plan.states[nearest, 5] > 0, plan.time
+        assert plan.name == plan.side.name.lower()
+
+
+@pytest.mark.parametrize(("distance", "n_solved"), [(200.0, 1), (18.0, 2)])
+def test_what_nothing_is_in_the_way_of_is_planned_once(
+    monkeypatch: pytest.MonkeyPatch, distance: float, n_solved: int
+) -> None:
+    """One program is solved where no obstacle is near, one for each side in front of one."""
+    subject, solved = controller(), []
+    solve = NonlinearProgram.solve
+    monkeypatch.setattr(NonlinearProgram, "solve", lambda *args: solved.append(args) or solve(*args))
+    _, plan, _ = subject.step(
+        seen(0.0, RUNNING, Obstacle(Ellipse((2.0, 2.0)), Steady((distance, 0.0)))), subject.start()
+    )
+    assert len(solved) == n_solved
+    assert plan.is_shaped is (n_solved > 1)
 
 
 def test_the_steering_rate_is_kept() -> None:

@@ -15,16 +15,26 @@ HERE = Condition(20.0, 0.85, 0.0)
 CELL = Cell.of(load("paper"), HERE)
 
 
-def test_a_record_is_that_of_the_run() -> None:
+@pytest.mark.parametrize("distance", [16.0, 29.0])
+def test_a_record_is_that_of_the_run(distance: float) -> None:
     """The same numbers as those of the scenario run by itself, also where the task was sent through a pipe."""
-    trial = Trial(CELL, 16.0, "brake", "planar", 3)
+    trial = Trial(CELL, distance, "brake", "planar", 3)
     (record,) = perform(pickle.loads(pickle.dumps(trial))).values()
-    result = run(CELL.at(16.0), "brake", "planar", 3).result
-    assert (record.who, record.condition, record.distance) == ("brake", HERE, 16.0)
+    result = run(CELL.at(distance), "brake", "planar", 3).result
+    assert (record.who, record.condition, record.distance) == ("brake", HERE, distance)
     assert (record.outcome, record.decision) == (result.outcome.value, result.decision)
+    assert (record.outcome == "avoided") is (distance > 27)
     assert record.impact_speed == result.impact_speed
-    assert record.min_distance_ratio == result.min_distance_ratio
-    assert record.max_sideslip == result.max_sideslip
+    if record.is_avoided:
+        assert record.min_distance_ratio == result.min_distance_ratio
+        assert record.max_sideslip == result.max_sideslip
+
+
+def test_a_run_goes_no_further_than_its_first_contact() -> None:
+    """Just inside the obstacle, at most as far as a sample's way: 1 m of its 2 m."""
+    (record,) = Trial(CELL, 16.0, "brake", "planar", 0)().values()
+    assert record.min_distance_ratio is not None
+    assert 0.5 < record.min_distance_ratio < 1
 
 
 def test_a_key_is_that_of_the_task() -> None:

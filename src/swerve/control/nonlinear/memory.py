@@ -17,6 +17,7 @@ class Memory:
     Attributes:
         commands: (5,) inputs that were given, the last one first; as many as still matter.
         inputs: of each side, the last plan's inputs (Np, 5).
+        missed: of each side, for how many steps its plan has not been clear [1].
         committed: the side taken last, if an obstacle shaped its plan.
         plan: the last plan that was no fallback.
         age: samples since that plan [1].
@@ -24,9 +25,15 @@ class Memory:
 
     commands: tuple[Array, ...]
     inputs: dict[Side, Array]
+    missed: dict[Side, int]
     committed: Side | None
     plan: Plan | None
     age: int
+
+    @property
+    def is_of_one_mind(self) -> bool:
+        """Whether both sides came to the same plan."""
+        return self.inputs[Side.LEFT] is self.inputs[Side.RIGHT]
 
     def after(self, command: Array) -> tuple[Array, ...]:
         """The commands that the next step remembers."""

@@ -159,9 +159,8 @@ class NonlinearProgram:
         here = question.state[[X, Y]]
         found = np.tile(NOWHERE, (self._n_obstacles, self._n_pairs, 1))
         found[..., CENTRE] += here
-        nearest = sorted(question.obstacles, key=lambda each: float(np.hypot(*(each.position_at(0.0) - here))))
-        for place, obstacle in zip(found, nearest, strict=False):
-            numbers = [pair.as_tuple() for pair in pairs(self._footprint, obstacle)][: self._n_pairs]
+        for place, i in zip(found, question.nearest, strict=False):
+            numbers = [pair.as_tuple() for pair in pairs(self._footprint, question.obstacles[i])][: self._n_pairs]
             place[: len(numbers)] = numbers
         return found.reshape(-1, N_PAIR)
 
@@ -183,8 +182,9 @@ class NonlinearProgram:
             u[DELTA] = reached
 
     def gap_multipliers(self, answer: Answer) -> Array:
-        """Multipliers (Np, 2 n) of the rows that keep the n pairs clear [1/m]."""
-        return self._by_sample(answer.row_multipliers)[:, : -2 * N_SLIPS - N_TURNS]
+        """Multipliers (Np, n_obstacles, 2 n_pairs) of the rows that keep each obstacle's pairs clear [1/m]."""
+        of_gaps = self._by_sample(answer.row_multipliers)[:, : -2 * N_SLIPS - N_TURNS]
+        return of_gaps.reshape(self.layout.n_samples, self._n_obstacles, 2 * self._n_pairs)
 
     def _by_sample(self, of_rows: Array) -> Array:
         """Of the rows' values, those of each sample beside the dynamics, (Np, n_rows)."""

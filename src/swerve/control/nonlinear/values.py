@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swerve.conventions import X, Y
 from swerve.signals import ABSURD
 from swerve.world import Obstacle
 
@@ -26,6 +27,13 @@ class Question:
     command: Array
     wheel_loads: Array
     obstacles: tuple[Obstacle, ...]
+
+    @property
+    def nearest(self) -> list[int]:
+        """Indices of the obstacles, the nearest to the vehicle first, as the program has them."""
+        here = self.state[[X, Y]]
+        away = [float(np.hypot(*(each.position_at(0.0) - here))) for each in self.obstacles]
+        return sorted(range(len(away)), key=away.__getitem__)
 
 
 @dataclass(frozen=True, eq=False)

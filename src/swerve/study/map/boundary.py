@@ -29,7 +29,7 @@ class Condition:
 
 @dataclass(frozen=True)
 class RunRecord:
-    """What is kept of one run; nothing of it depends on the machine or on the clock.
+    """What is kept of one run, which ends at its first contact; nothing of it depends on the machine or the clock.
 
     Attributes:
         who: the series.

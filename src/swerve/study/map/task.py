@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from swerve.simulate import Outcome, run
+from swerve.simulate import Outcome, first_contact, run
 from swerve.study.limit import Means, point_mass
 from swerve.study.limit.best import best
 from swerve.study.limit.trajectory import Sought
@@ -47,11 +47,11 @@ class Trial:
         return digest(self.cell, self.distance, self.controller, self.plant, self.seed)
 
     def __call__(self) -> dict[str, RunRecord]:
-        """Run it; where an obstacle covers the vehicle from the start there is nothing to run."""
+        """Run it as far as its first contact; where an obstacle covers the vehicle at the start there is no run."""
         scenario = self.cell.at(self.distance)
         if covers_start(scenario):
             return {self.key: self._record(Outcome.COLLIDED.value, min_clearance=0.0)}
-        result = run(scenario, self.controller, self.plant, self.seed).result
+        result = run(scenario, self.controller, self.plant, self.seed, until=first_contact(scenario)).result
         record = self._record(
             result.outcome.value,
             decision=result.decision,
