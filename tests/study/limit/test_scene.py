@@ -42,3 +42,21 @@ def test_no_start_leaves_the_road() -> None:
     """With one lane and none beside it, there is no way past."""
     narrow = scene('road.lane_width="3.5 m"', "road.lanes_left=0", "road.lanes_right=0")
     assert starts(narrow, Means.BOTH) == []
+
+
+@pytest.mark.parametrize(
+    "override",
+    [
+        "obstacles.0.position=[25, 0.01]",
+        "obstacles.0.heading=0.3",
+        "ego.position=[0, 0.1]",
+        "ego.heading=0.01",
+        "road.lanes_right=1",
+    ],
+)
+def test_of_two_mirror_images_one_is_tried(override: str) -> None:
+    """The left one of a scene that is its own mirror image, both of any other."""
+    road = "road.lane_width=5", "road.lanes_left=2", "road.lanes_right=2"
+    for symmetric in (scene(), scene(*road)):
+        assert {start.sides for start in starts(symmetric, Means.BOTH)} == {(1,)}
+    assert {start.sides for start in starts(scene(*road, override), Means.BOTH)} == {(1,), (-1,)}

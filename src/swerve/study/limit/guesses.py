@@ -30,12 +30,13 @@ MOST_SIDES: Final = 2  # obstacles that are passed left and right in turn; the o
 
 
 def starts(scene: Scene, means: Means) -> list[Start]:
-    """The ways that are tried: those for which the road has room."""
+    """The ways that are tried: those for which the road has room; of two that are mirror images the left one."""
     if means is Means.BRAKING:
         return [] if scene.is_oncoming else [Start(Ending.BEHIND, (), 1.0, SHORT)]
     hows = ((0.0, SHORT), (0.0, LONG)) if means is Means.STEERING else ((0.3, SHORT), (0.7, LONG))
     n = min(sum(map(scene.is_passed, scene.obstacles)), MOST_SIDES)
-    tried = [Start(Ending.PAST, sides, *how) for sides, how in product(product((1, -1), repeat=n), hows)]
+    ways = [sides for sides in product((1, -1), repeat=n) if not (scene.is_symmetric and sides[:1] == (-1,))]
+    tried = [Start(Ending.PAST, sides, *how) for sides, how in product(ways, hows)]
     return [start for start in tried if _is_on_road(scene, start)]
 
 

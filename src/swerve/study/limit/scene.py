@@ -11,7 +11,7 @@ from typing import Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from swerve.conventions import GRAVITY, X
+from swerve.conventions import GRAVITY, PSI, VY, R, X, Y
 from swerve.errors import InputError
 from swerve.scenario import Scenario
 from swerve.study.limit.shifted import shifted
@@ -130,6 +130,18 @@ class Scene:
         return min((own - each.position_at(time)[0] - reach(each, AHEAD, time)[0] for each in passed), default=inf)
 
     @property
+    def is_symmetric(self) -> bool:
+        """Whether it is its own mirror image at the vehicle's line, so that left and right come to the same."""
+        line, left, right = self.start[Y], self.road.left_edge, self.road.right_edge
+        own = self.footprint.support(ASIDE)
+        return (
+            not self.start[[VY, R, PSI]].any()
+            and (left is None or right is None or left + right == 2 * line)
+            and own[0] == own[1]
+            and all(_is_along(each, line) for each in self.obstacles)
+        )
+
+    @property
     def grip(self) -> float:
         """Largest acceleration of a point mass, mu g [m/s^2]."""
         return self.friction * GRAVITY
@@ -147,6 +159,12 @@ class Scene:
 def _slowest(obstacle: Obstacle) -> float:
     """The smallest speed along X that an obstacle comes to [m/s]."""
     return float(obstacle.velocity_at(FORESEEN)[:, 0].min())
+
+
+def _is_along(obstacle: Obstacle, line: float) -> bool:
+    """Whether an obstacle is and stays on a line Y [m], lengthwise or crosswise."""
+    heading = obstacle.heading_at(FORESEEN)
+    return bool((obstacle.position_at(FORESEEN)[:, 1] == line).all() and np.allclose(np.sin(2 * heading), 0, atol=1e-9))
 
 
 def reach(obstacle: Obstacle, directions: Array, time: float = 0.0) -> Array:
