@@ -11,7 +11,6 @@ import numpy as np
 
 from swerve.vehicle.fitting.curve import magic_formula
 from swerve.vehicle.fitting.data import LoadBlock, TyreData
-from swerve.vehicle.fitting.line import Line, fit_line
 
 
 @dataclass(frozen=True)
@@ -68,11 +67,6 @@ PRINTED_LINES: Final = {
 }
 
 SLIP_ANGLES: Final = np.radians(np.arange(-20.0, 20.25, 0.5))  # [rad]
-
-
-def table_1_lines() -> dict[str, Line]:
-    """The least-squares lines through the printed B, C and D."""
-    return {letter: fit_line(LOADS, [getattr(column, letter) for column in TABLE_1]) for letter in "BCD"}
 
 
 def table_1_data() -> TyreData:
