@@ -9,15 +9,16 @@ from numpy.typing import NDArray
 from swerve.control.actuation import Actuation
 from swerve.control.nonlinear.buffered import Buffered
 from swerve.control.nonlinear.compiled import compiled
-from swerve.control.nonlinear.cover import n_parts, pairs
+from swerve.control.nonlinear.cover import n_parts
 from swerve.control.nonlinear.formulation import N_TURNS, Parameters
 from swerve.control.nonlinear.settings import NonlinearSettings
 from swerve.control.nonlinear.solver import Solver
-from swerve.control.nonlinear.stage import INPUT_SCALE, N_PAIR, N_SLIPS
+from swerve.control.nonlinear.stage import INPUT_SCALE, N_SLIPS
+from swerve.control.nonlinear.surroundings import Surroundings
 from swerve.control.nonlinear.values import Answer, Guess, Question
 from swerve.control.settings import Goal, Horizon, Weights
 from swerve.control.unified.prediction import SLIP_SPEED_FLOOR, PredictionModel
-from swerve.conventions import DELTA, FORCES, PSI, VX, VY, X, Y
+from swerve.conventions import DELTA, FORCES
 from swerve.vehicle import Vehicle
 from swerve.vehicle.two_track import Parameters as ModelParameters
 from swerve.world import Footprint, Shape
@@ -28,10 +29,6 @@ INTERIOR = 1e-2  # [m, rad] added to the slacks of a guess, so that an interior-
 LARGEST_PRICE = 100.0  # [1] of a unit of a slack, as IPOPT scales; Fatrop stalls where multipliers reach 1e4
 LEAST_LOAD = 1.0  # [N] so that a lower bound stays below the upper one
 UNLIMITED = 1e6  # [1] a turn in units of INPUT_SCALE that is none
-NOWHERE = (0.0, 0.0, 0.0, 1e3, 0.0, 0.0, 100.0, 100.0, 0.0)  # a pair beside the ego vehicle that is never near
-CENTRE = slice(2, 4)  # of a pair's numbers
-SPEED = slice(4, 6)
-SEMI_AXES = slice(6, 8)
 
 
 class NonlinearProgram:
@@ -75,20 +72,21 @@ class NonlinearProgram:
         """
         solver, self._n_obstacles = settings.solver, len(shapes)
         self._n_pairs = n_parts(footprint) * max((n_parts(shape) for shape in shapes), default=1)
+        size, margin = (self._n_obstacles, self._n_pairs), settings.clearance_margin
+        self._surroundings = Surroundings(footprint, size, margin, horizon.sample_time)
         self.horizon = _longer(horizon, settings.tail)
-        made = compiled(solver, self.horizon, horizon.prediction, self._n_obstacles, self._n_pairs)
+        made = compiled(solver, self.horizon, horizon.prediction, *size)
         self.layout, self.formulation = made.layout, made.formulation
         self._evaluate = Buffered(ca.external("nlp", str(made.library)))
         self._solver = Solver(solver, made.library, self.layout, self.formulation.n_rows)
         self.model = PredictionModel(vehicle, friction, self.horizon)
-        self._vehicle, self._footprint, self._friction, self._actuation = vehicle, footprint, friction, actuation
+        self._vehicle, self._friction, self._actuation = vehicle, friction, actuation
         turn = min(vehicle.steering_rate_limit * horizon.sample_time / INPUT_SCALE[DELTA], UNLIMITED)
         aim = (goal.speed, 0.0, goal.lateral_offset)
         self._constants = {"goal": aim, "slip_limit": settings.slip_limit, "turn": turn}
         costs = _costs(weights, settings, self._n_obstacles)
         self.cost_unit = max(1.0, float(costs["linear"].max()) / LARGEST_PRICE)
         self._costs = {name: cost / self.cost_unit for name, cost in costs.items()}
-        self._margin, self._sample_time = settings.clearance_margin, horizon.sample_time
         self._data = np.append(ModelParameters.of(vehicle, friction, SLIP_SPEED_FLOOR).as_array(), horizon.sample_time)
 
     def guess(self, question: Question, inputs: Array) -> Guess:
@@ -142,38 +140,17 @@ class NonlinearProgram:
 
     def parameters(self, question: Question) -> Array:
         """The vector p of all parameters, the costs in units of `cost_unit`."""
-        seen = self._pairs(question)
+        seen, margins = self._surroundings.numbers(question)
         data = np.concatenate([question.wheel_loads, self._data, seen.ravel()])
         values = Parameters(
             state=question.state,
             command=question.command / INPUT_SCALE,
             data=data,
-            margins=self._margin + self._sagitta(question.state, seen),
+            margins=margins,
             **self._constants,
             **self._costs,
         )
         return np.concatenate([np.atleast_1d(np.asarray(value, dtype=float)) for value in values])
-
-    def _pairs(self, question: Question) -> Array:
-        """The numbers of all pairs (n_obstacles n_pairs, N_PAIR), of the nearest obstacles if there are too many."""
-        here = question.state[[X, Y]]
-        found = np.tile(NOWHERE, (self._n_obstacles, self._n_pairs, 1))
-        found[..., CENTRE] += here
-        for place, i in zip(found, question.nearest, strict=False):
-            numbers = [pair.as_tuple() for pair in pairs(self._footprint, question.obstacles[i])][: self._n_pairs]
-            place[: len(numbers)] = numbers
-        return found.reshape(-1, N_PAIR)
-
-    def _sagitta(self, state: Array, seen: Array) -> Array:
-        """How far a chord of half a sample's length cuts into each pair's ellipse where it is roundest (n,) [m].
-
-        What keeps clear by as much at both ends keeps clear between them, too.
-        """
-        cos, sin = np.cos(state[PSI]), np.sin(state[PSI])
-        velocity = (cos * state[VX] - sin * state[VY], sin * state[VX] + cos * state[VY])
-        chord = np.linalg.norm(velocity - seen[:, SPEED], axis=1) * self._sample_time / 2
-        semi_axes = seen[:, SEMI_AXES]
-        return np.asarray(chord**2 / (8 * semi_axes.min(axis=1) ** 2 / semi_axes.max(axis=1)))
 
     def _slow_down(self, scaled: Array, reached: float) -> None:
         """Let the steering angles of `scaled` inputs (Np, 5) turn no faster than they can."""
