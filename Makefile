@@ -9,7 +9,7 @@ PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test slow lint bench numbers maps library pictures docs clean
+.PHONY: help demo test slow lint bench numbers maps studies library pictures docs clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1	/p' $(MAKEFILE_LIST) | expand -t 14
@@ -48,6 +48,11 @@ maps: $(VENV)/.installed-dev ## make the maps that the documentation shows, for 
 	done
 	$(BIN)/swerve map paper --plant planar --out build/map
 	cp build/map/map.md build/map/map.png docs/measured/
+
+studies: $(VENV)/.installed ## run random scenes and fuzzed measurements, for an hour or more, and put what they find into the documentation
+	$(BIN)/swerve study random-scenes --workers $$(nproc) --out build/random-scenes
+	$(BIN)/swerve study fuzz --out build/fuzz
+	cp build/random-scenes/random_scenes.md build/fuzz/fuzz.md docs/measured/
 
 library: $(VENV)/.installed ## write the documentation's page of the scenario library
 	$(BIN)/python docs/hooks/library.py > docs/library.md

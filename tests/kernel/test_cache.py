@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import casadi as ca
+import numpy as np
 import pytest
 
 from swerve.kernel import Kernel
@@ -56,6 +58,20 @@ def test_a_process_without_a_compiler_gets_the_same_number(tmp_path: Path) -> No
     for environment in ({"CC": "none"}, {"PATH": str(nowhere), "CC": "cc"}):
         assert answer(start(tmp_path / "empty", **environment)) == ["False", known]
     assert contents(tmp_path / "empty") == set()
+
+
+def test_a_function_is_written_as_c_once(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A second kernel of the same function costs no code generation, and is no other kernel."""
+    written = []
+    generator = ca.CodeGenerator
+    monkeypatch.setattr(ca, "CodeGenerator", lambda *args: written.append(args) or generator(*args))
+    function, arguments = example(), ([1.0, 2.0, 3.0], [[0.0] * 3] * 2)
+    kernels = [Kernel(function), Kernel(function)]
+    assert len(written) == 1
+    first = kernels[0](*arguments)
+    kernels[1]([0.0] * 3, arguments[1])
+    for one, other in zip(first, kernels[0](*arguments), strict=True):
+        np.testing.assert_array_equal(one, other)
 
 
 def test_a_changed_function_is_another_library(cache: Path) -> None:

@@ -61,10 +61,17 @@ class LaneKeeping:
         deviation = state[LATERAL].copy()
         deviation[-1] = min(max(deviation[-1] - self.offset, -FARTHEST), FARTHEST)
         speed = float(state[VX])
-        gain = np.array([np.interp(speed, SPEEDS, column) for column in self.gains.T])
+        gain = self._gain_at(speed)
         turn = self.vehicle.wheelbase * GENTLE * self.friction * GRAVITY / max(speed, SPEEDS[0]) ** 2
         largest = min(self.vehicle.steering_limit, self.slip_limit + turn)
         return float(np.clip(-gain @ deviation, -largest, largest))
+
+    def _gain_at(self, speed: float) -> Array:
+        """K (4,) between its neighbours in speed [m/s]."""
+        place = min(max(speed, SPEEDS[0]), SPEEDS[-1])
+        i = min(int(np.searchsorted(SPEEDS, place, side="right")), len(SPEEDS) - 1)
+        share = (place - SPEEDS[i - 1]) / (SPEEDS[i] - SPEEDS[i - 1])
+        return np.asarray((1 - share) * self.gains[i - 1] + share * self.gains[i])
 
 
 def _gain(model: PredictionModel, loads: Array, speed: float) -> Array:

@@ -4,13 +4,14 @@ Binding arguments at every call costs about 100 us, more than most kernels take 
 of a few numbers in and out.
 """
 
+from functools import lru_cache
 from typing import Any
 
 import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swerve.kernel.library import compiled
+from swerve.kernel.library import SOURCES, compiled
 
 
 class Kernel:
@@ -56,6 +57,7 @@ def _dense(shape: tuple[int, int]) -> NDArray[np.float64]:
     return np.zeros(shape[0]) if shape[1] == 1 else np.zeros(shape, order="F")
 
 
+@lru_cache(maxsize=SOURCES)
 def _made_dense(function: ca.Function) -> ca.Function:
     """The same function; buffers hold only the non-zeros of a sparse matrix, whose place would then be lost."""
     inputs, outputs = range(function.n_in()), range(function.n_out())

@@ -14,7 +14,7 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 import casadi as ca
@@ -26,6 +26,7 @@ from swerve.kernel.processor import processor_id
 # No contraction of a*b + c: the result is that of CasADi's machine, on every processor.
 FLAGS = ("-O3", "-march=native", "-ffp-contract=off", "-fPIC", "-shared")
 OPT_OUT = "none"  # value of the environment variable CC that asks for CasADi's machine
+SOURCES = 32  # kept in memory, some 100 kB each
 DIGEST = hashlib.sha256
 DIGEST_SIZE = DIGEST().digest_size  # [byte]
 LOG = logging.getLogger(__name__)
@@ -61,7 +62,9 @@ def _compiler() -> tuple[str, ...] | None:
     return (path, *options, version.stdout) if version.returncode == 0 else None
 
 
+@lru_cache(maxsize=SOURCES)
 def _c_source(function: ca.Function) -> str:
+    """Kept, because it takes ten times as long as all else that a kernel does when its library is there."""
     generator = ca.CodeGenerator(function.name(), {"with_header": False})
     generator.add(function)
     return str(generator.dump())

@@ -5,6 +5,7 @@ second; friction is that under the wheels at its start. The model's fastest rate
 50 m/s, so 1 ms is stable. A command reaches the actuators a whole number of steps late.
 """
 
+from functools import cache
 from itertools import pairwise
 
 import casadi as ca
@@ -98,6 +99,7 @@ def _as_vector(friction: Friction, n_patches: int) -> Array:
     return np.array([friction.base, *(number for patch in patches for number in (*patch.x, *patch.y, patch.friction))])
 
 
+@cache
 def _sample(n_substeps: int, n_patches: int) -> ca.Function:
     """A sample: ([state, command of each step], [p, limits, road, h]) -> one vector, which costs one copy.
 

@@ -6,6 +6,8 @@ as the friction circle goes. A negative one is a brake's: against the motion, an
 of the step's start (with a centre of gravity at height 0: static).
 """
 
+from functools import cache
+
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
@@ -51,6 +53,7 @@ class PlanarPlant(Plant):
         return PlantState(end[:N_STATES], loads[-1], end[N_STATES:]), trace
 
 
+@cache
 def _sample(n_substeps: int) -> ca.Function:
     """(state, u, p, actuator, h) -> state at the end; vehicle states and outputs at the start of each step."""
     step = _step()

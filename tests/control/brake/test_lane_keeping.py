@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from swerve.control.lane_keeping import LaneKeeping
+from swerve.control.lane_keeping import SPEEDS, LaneKeeping
 from swerve.conventions import DELTA
 from tests.control.unified.situations import model
 from tests.vehicle.motions import SEDAN, STATIC
@@ -39,3 +39,13 @@ def test_left_is_the_mirror_of_right() -> None:
 def test_in_its_lane_it_does_nothing() -> None:
     """No deviation, no angle."""
     assert not driven(20.0, 0.0)[:, 5].any()
+
+
+@pytest.mark.parametrize("speed", [0.0, 1.0, 3.1, 20.0, 22.5, 69.9, 70.0, 90.0])
+def test_its_gain_is_linear_between_speeds(speed: float) -> None:
+    """For a small deviation of each kind, the angle is that of gains interpolated one by one, and held beyond."""
+    lane = LaneKeeping.of(model(), SEDAN, 0.85, 0.0)
+    for i, place in enumerate((1, 2, 3, 5)):
+        state = np.array([speed, 0.0, 0, 0, 0, 0])
+        state[place] = 1e-3
+        assert lane.angle(state) == pytest.approx(-1e-3 * np.interp(speed, SPEEDS, lane.gains[:, i]))

@@ -16,7 +16,7 @@ from swerve.control.brake.driver import wanted_acceleration, wanted_speed
 from swerve.control.brake.memory import Memory
 from swerve.control.brake.settings import BrakeSettings
 from swerve.control.brake.threat import is_alarming
-from swerve.control.brake.wheels import braking_limits
+from swerve.control.brake.wheels import BrakingLimits
 from swerve.control.corridor import Corridor
 from swerve.control.fallback import fallback_plan, full_braking
 from swerve.control.forecast import Forecast, forecasts
@@ -67,7 +67,7 @@ class BrakeController(Controller[Memory]):
         self._horizon, self._latency, self._settings = horizon, latency, settings
         self._model = PredictionModel(vehicle, friction, horizon)
         self._lane = LaneKeeping.of(self._model, vehicle, friction, goal.lateral_offset)
-        self._parameters = Parameters.of(vehicle, friction, SLIP_SPEED_FLOOR)
+        self._limits = BrakingLimits(vehicle, Parameters.of(vehicle, friction, SLIP_SPEED_FLOOR))
         self._deceleration = vehicle.force_limit * friction * GRAVITY * actuation.braking
         self._turn = vehicle.steering_rate_limit * horizon.sample_time
         self._braking = full_braking(vehicle, friction, horizon.prediction, actuation)
@@ -104,7 +104,7 @@ class BrakeController(Controller[Memory]):
         wanted = wanted_speed(self._goal.speed, corridor, seen) if has_braked else self._goal.speed
 
         def forces(state: Array, u: Array) -> Array:
-            limits = braking_limits(self._vehicle, self._parameters, state, u, falling)
+            limits = self._limits(state, u, falling)
             asked = np.append(0.0, self._forces(float(state[VX]), limits, -np.inf if is_braking else wanted))
             return self._actuation.within(asked, np.append(0.0, limits))[FORCES]
 

@@ -30,7 +30,7 @@ class Lines:
 
     def __init__(self, footprint: Footprint, n_pairs: int) -> None:
         """Compile, or take from the cache, the search over all normals."""
-        self._lines = Kernel(pair().map(f"lines_{n_pairs}", "serial", n_pairs, [2], []))
+        self._lines = Kernel(_pairs(n_pairs))
         centre = (0.0, 0.0) if isinstance(footprint, Point) else footprint.centre
         half = (0.0, 0.0) if isinstance(footprint, Point) else (footprint.length / 2, footprint.width / 2)
         self._footprint = np.array([*half, *centre])
@@ -58,6 +58,12 @@ def _extent(shape: Shape) -> tuple[float, float]:
     if isinstance(shape, Ellipse):
         return shape.semi_axes
     return (0.0, 0.0) if isinstance(shape, Point) else (shape.length / 2, shape.width / 2)
+
+
+@cache
+def _pairs(n: int) -> ca.Function:
+    """`pair` n times, with the same p."""
+    return pair().map(f"lines_{n}", "serial", n, [2], [])
 
 
 @cache

@@ -138,6 +138,7 @@ def _sample_with_jacobians() -> ca.Function:
     return ca.Function("sample_with_jacobians", arguments, ca.cse([end, *jacobians]))
 
 
+@cache
 def _over_horizon(sample: ca.Function, n: int, name: str, skip: int = 0) -> ca.Function:
     """`sample` n times, each from where the last one ended; other arguments but the input are the same for all.
 

@@ -12,6 +12,7 @@ more; the optimised cost does not see it.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import casadi as ca
 import numpy as np
@@ -80,6 +81,7 @@ def _arguments(outlook: Outlook) -> tuple[Array, Array, Array]:
     return outlook.durations, outlook.targets, np.array([outlook.stiffness, outlook.lateral, outlook.braking])
 
 
+@cache
 def _path(n_steps: int) -> ca.Function:
     """(state, durations, targets, [w^2, a, b]) -> poses (3, n), speeds (n,)."""
     motion, *held = _symbols()
@@ -91,6 +93,7 @@ def _path(n_steps: int) -> ca.Function:
     return ca.Function("tail", [end, durations.T, targets.T, p], [found[:3, :], found[3, :].T])
 
 
+@cache
 def _derivative(n_steps: int) -> ca.Function:
     """The same arguments -> derivatives of the poses by the motion at the start, (3, 4 n), and of that by the state."""
     motion, *held = _symbols()

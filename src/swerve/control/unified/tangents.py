@@ -5,6 +5,7 @@ seen from its centre under an angle phi, have a chord outside the unit circle: s
 follows in larger steps is kept out by lines for pairs (`lines.py`).
 """
 
+from functools import cache
 from typing import Final
 
 import casadi as ca
@@ -47,6 +48,7 @@ class Tangents:
         return None if longest[0] > LONGEST_STEP**2 else (normals.T, gaps)
 
 
+@cache
 def _along(n_poses: int, n_fine: int) -> ca.Function:
     """(poses (3, n), p of `lines.pair`) -> normals, gaps, square of the longest fine step."""
     poses, p = ca.MX.sym("poses", 3, n_poses), ca.MX.sym("p", 9)
