@@ -21,7 +21,8 @@ from swerve.world import Ellipse
 
 PROXIMITY: Final = 0.3  # [m/s] p of the first solve
 LEAST_PROXIMITY: Final = 0.03  # [m/s]
-EASED: Final = 1 / 3  # [1] times p after a solve that succeeds
+EASED: Final = 1 / 3  # [1] times p after a solve that succeeds and goes less far than it may
+HELD: Final = numbers.FURTHEST * 1.001  # [1] of the last value: a solve that comes to less is held by that bound
 TIGHTENED: Final = 4.0  # [1] times p after one that fails
 MOST_SOLVES: Final = 24
 MOST_FAILURES: Final = 4
@@ -45,7 +46,9 @@ def descend(scene: Scene, means: Means, sought: Sought, guess: Trajectory) -> li
         gain = last.value(sought) - next_one.value(sought)
         if proximity <= SMALL and gain <= RESTING * last.value(sought):
             break
-        proximity, failures, last = max(EASED * proximity, LEAST_PROXIMITY), 0, next_one
+        if next_one.value(sought) > HELD * last.value(sought):
+            proximity = max(EASED * proximity, LEAST_PROXIMITY)
+        failures, last = 0, next_one
     return found
 
 
