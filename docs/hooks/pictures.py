@@ -48,7 +48,7 @@ def main(runs: Path, directory: Path) -> None:
 def _opened(chromium: Any, report: Path, options: dict[str, Any]) -> Any:
     page = chromium.new_context(**options).new_page()
     page.goto(f"{report.resolve().as_uri()}#t={INSTANT}")
-    page.wait_for_function("document.getElementById('time').textContent !== ''")
+    page.locator("#time:not(:empty)").wait_for(state="attached")
     return page
 
 

@@ -21,7 +21,7 @@ def opened(browser: Any) -> Iterator[Callable[..., Any]]:
         page.on("pageerror", lambda error: complaints.append(str(error)))
         page.on("request", lambda request: request.url.startswith("file:") or complaints.append(request.url))
         page.goto(path.as_uri() + address)
-        page.wait_for_function("document.getElementById('time')?.textContent !== ''")
+        page.locator("#time:empty").wait_for(state="detached")  # where there is a time to show, it is shown
         return page
 
     yield open_page

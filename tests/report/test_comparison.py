@@ -221,7 +221,7 @@ def test_the_pages_open_from_disk(tmp_path: Path, opened: Open, size: str, schem
     assert len(links) == 2 * (1 + 3)
     assert all((tmp_path / link).is_file() for link in links)
     page.locator("section[id] a").first.click()
-    page.wait_for_function("document.getElementById('time')?.textContent")
+    page.locator("#time:not(:empty)").wait_for(state="attached")
     assert page.locator("header tbody th").all_text_contents() == ["unified", "as-printed", "brake"]
     assert page.evaluate("document.documentElement.scrollWidth") == SIZES[size]["width"]
 

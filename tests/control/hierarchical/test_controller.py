@@ -67,6 +67,16 @@ def test_it_stops_before_a_wall_of_a_kind() -> None:
     assert result.decision == "brake"
 
 
+def test_a_lane_change_is_clear_as_far_as_a_stop_would_take() -> None:
+    """Fast on a slippery road, just too near to stop, it goes further aside than an obstacle far ahead is wide."""
+    subject = controller("ego.speed=35 m/s", "goal.speed=35 m/s", "road.friction=0.5")
+    ahead = Obstacle(Ellipse((2.0, 2.0)), Steady((148.6, 0.0)))
+    _, plan, memory = subject.step(seen(0.0, np.array([35.0, 0, 0, 0, 0, 0]), ahead), subject.start())
+    assert plan.side is Side.LEFT
+    assert memory.manoeuvre is not None
+    assert memory.manoeuvre.lateral.target > 2.1
+
+
 def test_a_mirrored_scene_is_driven_mirrored() -> None:
     """The plan past the mirror image is the mirrored plan."""
     plans = [

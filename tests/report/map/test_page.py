@@ -195,7 +195,7 @@ def test_a_point_is_replayed(written: Path, opened: Open) -> None:
     _point_at(page, 2, "unified", 20.0, click=True)
     assert page.get_by_text("Open in the studio").count() == 0
     page.get_by_text("Watch all controllers here").click()
-    page.wait_for_function("document.getElementById('time').textContent !== ''")
+    page.locator("#time:not(:empty)").wait_for(state="attached")
     assert page.locator("header tbody th").all_text_contents() == ["as-printed", "unified"]
     assert [each.name for each in (written.parent / "replays").iterdir()] == [replay_name(WATCHED)]
 

@@ -31,7 +31,7 @@ STANDOFF = 0.8  # [m] to an obstacle in front when both stand
 BRISK = 0.7  # [1] of what a lane change may take, for one that the goal asks for
 FULL = 1.1  # [1] of full braking: all there is, and a little more to pull at
 SPEEDING_UP = 2.0  # [m/s^2]
-PASSING = 3.0  # [s] looked ahead for a lane change
+PASSING = 3.0  # [s] looked ahead for a lane change at the least, but as far as a stop would take in any case
 LONGER = 2.0  # [s] looked ahead before speeding up
 LITTLE = 0.2  # [m/s] that is no speeding up
 HERE = 0.05  # [m] from a lateral offset that counts as there
@@ -63,7 +63,7 @@ class Decision:
         for brake, gap in self._braking(scene, last, is_braking):
             if scene.is_clear(brake, scene.speed / brake.rate + SLACK, gap):
                 return brake
-        swerve = self._swerve(scene, last)
+        swerve = self._swerve(scene, last, max(PASSING, horizon))
         if swerve is not None:
             return swerve
         return Manoeuvre("brake", self._towards_goal(scene, last), 0.0, FULL * scene.deceleration, HOPELESS)
@@ -109,12 +109,12 @@ class Decision:
         longest = float(DURATIONS[-1]) * scene.speed
         return gentle or Quintic.between(float(scene.state[X]), begun, longest, target)
 
-    def _swerve(self, scene: Scene, last: Manoeuvre | None) -> Manoeuvre | None:
-        """The first lane change that keeps the margin, else the one that comes nearest to it without contact."""
+    def _swerve(self, scene: Scene, last: Manoeuvre | None, ahead: float) -> Manoeuvre | None:
+        """The first lane change that keeps the margin for so long [s], else the one nearest to that without contact."""
         swerves = list(self._swerving(scene, last))
         if not swerves:
             return None
-        gaps = scene.gaps(swerves, PASSING, self._settings.margin)
+        gaps = scene.gaps(swerves, ahead, self._settings.margin)
         kept = gaps > self._settings.margin
         best = int(np.argmax(kept if kept.any() else gaps))
         return swerves[best] if gaps[best] > 0 else None
