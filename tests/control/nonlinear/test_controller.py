@@ -13,6 +13,7 @@ from swerve.control.nonlinear import SOLVERS, NonlinearController, Question
 from swerve.control.nonlinear.memory import Memory
 from swerve.control.nonlinear.program import NonlinearProgram
 from swerve.scenario import load, parse
+from swerve.signals import ABSURD
 from swerve.simulate import Outcome, run
 from swerve.simulate.assemble import controller_named
 from swerve.world import Ellipse, Obstacle, Steady
@@ -152,6 +153,15 @@ def test_what_nothing_is_in_the_way_of_is_planned_once(
     )
     assert len(solved) == n_solved
     assert plan.is_shaped is (n_solved > 1)
+
+
+@pytest.mark.parametrize("speed", [20.0, 1e5, np.nextafter(ABSURD, 0)])
+def test_an_obstacle_out_of_sight_shapes_nothing(speed: float) -> None:
+    """Where the sensor sees fewer obstacles than the program has room for, also when the model's motion diverges."""
+    subject = controller()
+    state = np.array([speed, -0.9 * speed, 30.0, 1.0, 0.0, 0.0])
+    _, plan, _ = subject.step(replace(seen(0.0, state), obstacles=()), subject.start())
+    assert (plan.is_shaped, plan.side) == (False, None)
 
 
 def test_the_steering_rate_is_kept() -> None:

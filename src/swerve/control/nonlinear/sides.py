@@ -10,6 +10,7 @@ from dataclasses import replace
 from itertools import islice
 
 import numpy as np
+from numpy.typing import NDArray
 
 from swerve.control.fallback import shifted
 from swerve.control.nonlinear.memory import Memory
@@ -22,6 +23,8 @@ from swerve.control.unified.seeds import seeds
 from swerve.control.unified.way import Way
 from swerve.conventions import N_INPUTS, VX
 from swerve.vehicle import Vehicle
+
+Array = NDArray[np.float64]
 
 TRIES = 3  # first guesses of a side from which it is solved at most
 SELDOM = 10  # steps between two looks at all of them; of 266 looks near the limit two found what was any better
@@ -83,7 +86,7 @@ class Sides:
         multipliers = np.abs(self._program.gap_multipliers(answer)).max(axis=(0, 2), initial=0.0)
         if multipliers.max(initial=0.0) <= ACTIVE:
             return _missed_most(answer, question)
-        return question.nearest[int(multipliers.argmax())]
+        return _largest(multipliers, question)
 
     def _guesses(self, side: Side, goes_on: Guess, question: Question) -> Iterator[Guess]:
         """The last plan if that is clear; else, or if there is nothing in that, it and the first guesses by cost."""
@@ -101,7 +104,13 @@ def _missed_most(found: Guess | Answer, question: Question) -> int | None:
     """The obstacle that a motion misses the margin to, None where it keeps all."""
     if _is_clear(found):
         return None
-    return question.nearest[int(found.violations[:-1].argmax())]
+    return _largest(found.violations[:-1], question)
+
+
+def _largest(of_obstacles: Array, question: Question) -> int | None:
+    """The obstacle with the largest of numbers (n_obstacles,); None where the program's place for one is empty."""
+    place = int(of_obstacles.argmax())
+    return question.nearest[place] if place < len(question.obstacles) else None
 
 
 def _is_clear(found: Guess | Answer) -> bool:

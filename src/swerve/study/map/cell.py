@@ -1,8 +1,8 @@
 """A scenario in one cell of the map: at its speed, friction and offset, and with its obstacles at any distance.
 
-The vehicle starts and is to go on at the cell's speed. A run has to last until the obstacle has been passed, hit or
-stopped for, and a while longer, so that what was avoided by losing the vehicle does not count. With full braking from
-the start, a = mu g, the vehicle comes as far as d after
+The vehicle starts and is to go on at the cell's speed. A run without contact has to last until the obstacle has been
+passed or stopped for, and a while longer, so that what was avoided by losing the vehicle does not count. With full
+braking from the start, a = mu g, the vehicle comes as far as d after
 
     t = (v - sqrt(v^2 - 2 a d)) / a,    and for d beyond d_b = v^2 / (2 a) it stops there after  (d - d_b) / v + v / a
 
